@@ -1,0 +1,16 @@
+//! The programs of János Füzi's book *Interaktív grafika* (Budapest, 1997) as native programs, and the
+//! rooms they are built from: a 640x480 screen of 16 colours, smooth curves and surfaces by control
+//! points, the data files of the DOS programs, and pictures for other programs.
+//!
+//! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
+//! [`screen`], [`geometry`] and [`pascal`] on the ground floor, above them [`file`], [`figure`] and
+//! [`machine`], then [`ui`], then [`editor`]. The programs themselves stand on top of the library.
+
+pub mod editor;
+pub mod figure;
+pub mod file;
+pub mod geometry;
+pub mod machine;
+pub mod pascal;
+pub mod screen;
+pub mod ui;
