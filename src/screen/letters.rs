@@ -1,0 +1,176 @@
+//! Letters of 8x8 pixels from the VGA's ROM, and the journal of the letters that stand on the screen.
+//!
+//! The screen is pixels and nothing else; but a display in a terminal shows texts better as letters
+//! than as blocks. So every letter drawn is noted down, and [`Screen::letters`] gives those back
+//! whose pixels nobody has touched since.
+
+use super::{Color, HEIGHT, Screen, WIDTH};
+use std::collections::BTreeMap;
+
+/// Width and height of a letter in pixels.
+const SIZE: i32 = 8;
+
+/// The letters with a Unicode table (PSF version 1, mode with 512 glyphs and a table); see
+/// `fonts/README.md`.
+static FONT: &[u8] = include_bytes!("fonts/Uni2-VGA8.psf");
+
+const HEADER: usize = 4;
+const GLYPHS: usize = 512;
+const TABLE: usize = HEADER + GLYPHS * SIZE as usize;
+
+/// Ends the characters of one glyph in the font's table.
+const END: u16 = 0xFFFF;
+/// Begins sequences of combining characters, which are not used here.
+const SEQUENCE: u16 = 0xFFFE;
+
+/// Number of characters that the font has a glyph for.
+const CHARACTERS: usize = count_characters();
+
+/// Character codes and glyph numbers, sorted by code; made of the font's table at compile time.
+static INDEX: [(u16, u16); CHARACTERS] = sorted_index();
+
+/// What stands for characters that the font lacks.
+const UNKNOWN: [u8; 8] = [0x7E, 0x42, 0x42, 0x42, 0x42, 0x42, 0x7E, 0x00];
+
+const fn table_entry(at: usize) -> u16 {
+    u16::from_le_bytes([FONT[at], FONT[at + 1]])
+}
+
+const fn count_characters() -> usize {
+    index_into([(0, 0); GLYPHS * 4]).1
+}
+
+const fn sorted_index() -> [(u16, u16); CHARACTERS] {
+    index_into([(0, 0); CHARACTERS]).0
+}
+
+/// Writes the font's characters into `index` by insertion, and counts them. Runs in the compiler
+/// only, where an index out of bounds would be an error of compilation.
+const fn index_into<const N: usize>(mut index: [(u16, u16); N]) -> ([(u16, u16); N], usize) {
+    let (mut count, mut glyph, mut at, mut in_sequence) = (0, 0, TABLE, false);
+    while at + 1 < FONT.len() {
+        let entry = table_entry(at);
+        at += 2;
+        if entry == END {
+            glyph += 1;
+            in_sequence = false;
+        } else if entry == SEQUENCE {
+            in_sequence = true;
+        } else if !in_sequence {
+            let mut place = count;
+            while place > 0 && index[place - 1].0 > entry {
+                index[place] = index[place - 1];
+                place -= 1;
+            }
+            index[place] = (entry, glyph);
+            count += 1;
+        }
+    }
+    (index, count)
+}
+
+/// The eight rows of a letter from the top, the leftmost pixel in the highest bit; `None` when the
+/// VGA's ROM letters do not have the character.
+#[must_use]
+pub fn glyph(ch: char) -> Option<[u8; 8]> {
+    let code = u16::try_from(u32::from(ch)).ok()?;
+    let found = INDEX.binary_search_by_key(&code, |entry| entry.0).ok()?;
+    let start = HEADER + usize::from(INDEX.get(found)?.1) * SIZE as usize;
+    FONT.get(start..start + SIZE as usize)?.try_into().ok()
+}
+
+/// A letter on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Letter {
+    /// Left edge of the letter's 8x8 pixels.
+    pub x: i32,
+    /// Upper edge of the letter's 8x8 pixels.
+    pub y: i32,
+    /// The character.
+    pub ch: char,
+    /// Colour of its pixels.
+    pub color: Color,
+}
+
+/// The letters drawn, by row and column; a letter in the same place takes the place of the former.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Journal {
+    letters: BTreeMap<(i32, i32), (char, Color)>,
+}
+
+/// A journal longer than this is rid of the letters that are gone. More than any screen holds:
+/// 80x60 letters stand side by side.
+const JOURNAL_LIMIT: usize = 10_000;
+
+impl Journal {
+    pub(super) fn clear(&mut self) {
+        self.letters.clear();
+    }
+
+    fn iter(&self) -> impl Iterator<Item = Letter> {
+        self.letters.iter().map(|(&(y, x), &(ch, color))| Letter { x, y, ch, color })
+    }
+}
+
+impl Screen {
+    /// Writes a text of 8x8 letters in one line from (x, y), the top left of the first letter. The
+    /// background stays as it is. A character without a letter is written as a box.
+    pub fn text(&mut self, x: i32, y: i32, text: &str, color: Color) {
+        let mut left = x;
+        for ch in text.chars() {
+            if left >= WIDTH {
+                return;
+            }
+            self.letter(Letter { x: left, y, ch, color });
+            left = left.saturating_add(SIZE);
+        }
+    }
+
+    fn letter(&mut self, letter: Letter) {
+        let Letter { x, y, ch, color } = letter;
+        if x <= -SIZE || x >= WIDTH || y <= -SIZE || y >= HEIGHT {
+            return;
+        }
+        let rows = glyph(ch).unwrap_or(UNKNOWN);
+        for (row, bits) in (y..).zip(rows) {
+            for (column, bit) in (x..).zip([0x80, 0x40, 0x20, 0x10, 8, 4, 2, 1]) {
+                if bits & bit != 0 {
+                    self.set(column, row, color);
+                }
+            }
+        }
+        let whole = (0..=WIDTH - SIZE).contains(&x) && (0..=HEIGHT - SIZE).contains(&y);
+        if whole && rows != [0; 8] {
+            self.journal.letters.insert((y, x), (ch, color));
+            if self.journal.letters.len() > JOURNAL_LIMIT {
+                self.prune();
+            }
+        }
+    }
+
+    /// Forgets the letters that are gone. Should a screen full of overlapping specks still be left,
+    /// forgets all, so that the next pruning is far away.
+    fn prune(&mut self) {
+        let mut journal = std::mem::take(&mut self.journal);
+        journal.letters.retain(|&(y, x), &mut (ch, color)| self.shows(Letter { x, y, ch, color }));
+        if journal.letters.len() <= JOURNAL_LIMIT / 2 {
+            self.journal = journal;
+        }
+    }
+
+    /// The letters written by [`Screen::text`] that still stand on the screen untouched, row by row.
+    /// Blanks and letters cut by the edge of the screen are not among them.
+    pub fn letters(&self) -> impl Iterator<Item = Letter> {
+        self.journal.iter().filter(|&letter| self.shows(letter))
+    }
+
+    /// Whether the pixels of a letter have its colour and the pixels between have not.
+    fn shows(&self, letter: Letter) -> bool {
+        let rows = glyph(letter.ch).unwrap_or(UNKNOWN);
+        (letter.y..).zip(rows).all(|(y, bits)| {
+            (letter.x..letter.x + SIZE)
+                .zip([0x80, 0x40, 0x20, 0x10, 8, 4, 2, 1])
+                .all(|(x, bit)| (self.pixel(x, y) == Some(letter.color)) == (bits & bit != 0))
+        })
+    }
+}

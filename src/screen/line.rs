@@ -1,0 +1,191 @@
+//! Straight lines: one or three pixels wide, solid or dotted.
+//!
+//! A line is stepped along its longer direction from its first end, and the other coordinate is
+//! rounded to the nearest pixel, halves away from the first end. The step at which the line enters
+//! the screen is computed, so that a clipped line has the very pixels of the whole one, and a line
+//! from one end of the integers to the other costs no more than one across the screen.
+
+use super::{Color, HEIGHT, Screen, WIDTH};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// How wide a line is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Width {
+    /// One pixel.
+    #[default]
+    Thin,
+    /// Three pixels, measured across the line's longer direction.
+    Thick,
+}
+
+/// Which pixels along a line are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Pattern {
+    /// All.
+    #[default]
+    Solid,
+    /// Two drawn, two left out, and so on: counted from the first end of an oblique line, from the
+    /// edge of the screen on horizontal and vertical ones.
+    Dotted,
+}
+
+/// What a line is drawn with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Stroke {
+    /// Colour of the drawn pixels; the gaps of a dotted line are left as they are.
+    pub color: Color,
+    /// One pixel or three.
+    pub width: Width,
+    /// Solid or dotted.
+    pub pattern: Pattern,
+}
+
+impl Stroke {
+    /// A solid stroke, one pixel wide.
+    #[must_use]
+    pub const fn thin(color: Color) -> Stroke {
+        Stroke { color, width: Width::Thin, pattern: Pattern::Solid }
+    }
+
+    /// A solid stroke, three pixels wide.
+    #[must_use]
+    pub const fn thick(color: Color) -> Stroke {
+        Stroke { color, width: Width::Thick, pattern: Pattern::Solid }
+    }
+
+    /// The same stroke, dotted.
+    #[must_use]
+    pub const fn dotted(self) -> Stroke {
+        Stroke { pattern: Pattern::Dotted, ..self }
+    }
+}
+
+/// A line as steps along its longer (major) direction.
+struct Walk {
+    /// First end, as (major, minor).
+    start: (i64, i64),
+    /// Lengths of the line in the two directions, not negative, `major >= minor`.
+    major: i64,
+    minor: i64,
+    /// +1 or -1 for the two directions.
+    sign: (i64, i64),
+}
+
+impl Walk {
+    fn new(start: (i64, i64), end: (i64, i64)) -> Walk {
+        let (major, minor) = (end.0 - start.0, end.1 - start.1);
+        let sign = |length: i64| if length < 0 { -1 } else { 1 };
+        Walk { start, major: major.abs(), minor: minor.abs(), sign: (sign(major), sign(minor)) }
+    }
+
+    /// How far the line has moved in the minor direction after `step` steps, and the remainder that
+    /// the next steps go on from: `2 * minor * step + major` divided by `2 * major`.
+    fn shift(&self, step: i64) -> (i64, i64) {
+        let whole = 2 * i128::from(self.major.max(1));
+        let value = 2 * i128::from(self.minor) * i128::from(step) + i128::from(self.major);
+        // Quotients are at most `minor`, remainders less than `whole`: both fit.
+        ((value / whole) as i64, (value % whole) as i64)
+    }
+
+    /// The steps whose pixels may lie on the screen: the major coordinate in `0..sizes.0` and the
+    /// minor one at most `margin` outside of `0..sizes.1`.
+    fn visible(&self, sizes: (i64, i64), margin: i64) -> Range<i64> {
+        let majors = moves(self.start.0, self.sign.0, 0, sizes.0 - 1);
+        let minors = moves(self.start.1, self.sign.1, -margin, sizes.1 - 1 + margin);
+        let (mut first, mut last) = (majors.start.max(0), majors.end.min(self.major + 1));
+        if self.minor > 0 {
+            first = first.max(self.step_of_shift(minors.start));
+            last = last.min(self.step_of_shift(minors.end));
+        } else if !minors.contains(&0) {
+            last = first;
+        }
+        first..last
+    }
+
+    /// The first step at which the line has moved by `shift` in the minor direction; only for lines
+    /// with `minor > 0`. Solved from `(2 * minor * step + major) / (2 * major) >= shift`.
+    fn step_of_shift(&self, shift: i64) -> i64 {
+        let value = (2 * i128::from(shift) - 1) * i128::from(self.major);
+        let step = value.div_euclid(2 * i128::from(self.minor))
+            + i128::from(value.rem_euclid(2 * i128::from(self.minor)) != 0);
+        step.clamp(0, i128::from(self.major) + 1) as i64
+    }
+}
+
+/// The numbers of unit moves in direction `sign` that take `start` into `low..=high`.
+fn moves(start: i64, sign: i64, low: i64, high: i64) -> Range<i64> {
+    if sign > 0 { low - start..high - start + 1 } else { start - high..start - low + 1 }
+}
+
+impl Screen {
+    /// Draws a line; both ends belong to it.
+    pub fn line(&mut self, x1: i32, y1: i32, x2: i32, y2: i32, stroke: Stroke) {
+        let (x1, y1) = (i64::from(x1), i64::from(y1));
+        let (x2, y2) = (i64::from(x2), i64::from(y2));
+        let screen = (i64::from(WIDTH), i64::from(HEIGHT));
+        if (x2 - x1).abs() >= (y2 - y1).abs() {
+            let walk = Walk::new((x1, y1), (x2, y2));
+            self.walk(&walk, screen, (1, screen.0), stroke);
+        } else {
+            let walk = Walk::new((y1, x1), (y2, x2));
+            self.walk(&walk, (screen.1, screen.0), (screen.0, 1), stroke);
+        }
+    }
+
+    /// Draws the visible steps of a line. `sizes` are the screen's and `pitch` the distances of
+    /// neighbouring pixels in memory, both as (major, minor).
+    fn walk(&mut self, walk: &Walk, sizes: (i64, i64), pitch: (i64, i64), stroke: Stroke) {
+        let half = match stroke.width {
+            Width::Thin => 0,
+            Width::Thick => 1,
+        };
+        let steps = walk.visible(sizes, half);
+        if steps.is_empty() {
+            return;
+        }
+        let (shift, mut rest) = walk.shift(steps.start);
+        let mut minor = walk.start.1 + walk.sign.1 * shift;
+        let mut at = (walk.start.0 + walk.sign.0 * steps.start) * pitch.0 + minor * pitch.1;
+        // What the dots are counted by: a coordinate of the screen on upright and level lines.
+        let (phase, count) = if walk.minor == 0 { (walk.start.0, walk.sign.0) } else { (0, 1) };
+        let color = stroke.color.index();
+        for step in steps {
+            if stroke.pattern == Pattern::Solid || (phase + count * step) & 2 == 0 {
+                for side in -half..=half {
+                    if (0..sizes.1).contains(&(minor + side)) {
+                        self.paint(at + side * pitch.1, color);
+                    }
+                }
+            }
+            at += walk.sign.0 * pitch.0;
+            rest += 2 * walk.minor;
+            if rest >= 2 * walk.major {
+                rest -= 2 * walk.major;
+                minor += walk.sign.1;
+                at += walk.sign.1 * pitch.1;
+            }
+        }
+    }
+
+    /// Sets the pixel at a place in memory.
+    fn paint(&mut self, at: i64, color: u8) {
+        if let Some(pixel) = usize::try_from(at).ok().and_then(|at| self.pixels.get_mut(at)) {
+            *pixel = color;
+        }
+    }
+
+    /// Draws the lines from each point to the next.
+    pub fn polyline(&mut self, points: &[(i32, i32)], stroke: Stroke) {
+        for pair in points.windows(2) {
+            if let [(x1, y1), (x2, y2)] = *pair {
+                self.line(x1, y1, x2, y2, stroke);
+            }
+        }
+    }
+
+    /// Draws the four sides of a rectangle, given by two opposite corners in any order.
+    pub fn rectangle(&mut self, x1: i32, y1: i32, x2: i32, y2: i32, stroke: Stroke) {
+        self.polyline(&[(x1, y1), (x2, y1), (x2, y2), (x1, y2), (x1, y1)], stroke);
+    }
+}
