@@ -1,1 +1,232 @@
-//! Room under construction.
+//! What a program runs on: screen, keyboard, mouse, clock and storage, behind one value, [`Machine`].
+//!
+//! A program is an `async` function on a machine: straight-line code that asks and gets an answer. It
+//! never blocks, starts no thread and touches no file itself; the display polls it through a
+//! [`Session`]. Displays are a window, a terminal and a script; nothing above this room names one.
+//!
+//! ```
+//! use grafika::machine::{Event, Key, Machine, Memory, Quit, Session, Settings};
+//! use grafika::screen::Color;
+//! use std::time::Duration;
+//!
+//! async fn run(mut machine: Machine) -> Result<(), Quit> {
+//!     while !machine.event().await?.pressed(Key::Esc) {
+//!         machine.screen().bar(10, 10, 20, 20, Color::Yellow);
+//!     }
+//!     Ok(())
+//! }
+//!
+//! let machine = Machine::new(Box::new(Memory::default()), Settings::default());
+//! let mut session = Session::start(machine, run);
+//! session.send(Event::Key(Key::Char('A')), Duration::ZERO);
+//! assert_eq!(session.screen().pixel(15, 15), Some(Color::Yellow));
+//! ```
+
+mod event;
+#[cfg(feature = "native")]
+mod folder;
+mod port;
+mod record;
+mod samples;
+mod script;
+mod session;
+mod storage;
+
+pub use event::{Button, Event, Key, Mouse, Tick};
+#[cfg(feature = "native")]
+pub use folder::{Folder, write_safely};
+pub use port::Wait;
+pub use record::Recorder;
+pub use samples::{SAMPLES, sample};
+pub use script::{Command, Outlet, Script, ScriptError, play};
+pub use session::{FRAMES_PER_SECOND, Session};
+pub use storage::{Memory, Storage, StorageError, StorageProblem};
+
+use crate::screen::{Masks, Screen};
+use port::{Port, Turn};
+use serde::Serialize;
+use std::cell::RefCell;
+use std::fmt;
+use std::rc::Rc;
+use std::time::Duration;
+
+/// The display is being closed. Programs hand it on with `?`, so that closing works inside every
+/// question; one that has something to save catches it and asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quit;
+
+impl fmt::Display for Quit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the display is being closed")
+    }
+}
+
+impl std::error::Error for Quit {}
+
+/// The language of the texts on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Language {
+    /// Hungarian, the language of the originals.
+    #[default]
+    Hungarian,
+    /// English.
+    English,
+}
+
+impl Language {
+    /// The language of a code as `--lang` takes it.
+    pub fn from_code(code: &str) -> Option<Language> {
+        match code {
+            "hu" => Some(Language::Hungarian),
+            "en" => Some(Language::English),
+            _ => None,
+        }
+    }
+
+    /// The code as `--lang` takes it.
+    pub fn code(self) -> &'static str {
+        match self {
+            Language::Hungarian => "hu",
+            Language::English => "en",
+        }
+    }
+
+    /// The other language.
+    pub fn other(self) -> Language {
+        match self {
+            Language::Hungarian => Language::English,
+            Language::English => Language::Hungarian,
+        }
+    }
+}
+
+/// The mouse pointer that a program wants to be shown.
+#[derive(Clone, Copy, Debug)]
+pub enum Pointer {
+    /// No pointer (a program that draws a cursor of its own).
+    Hidden,
+    /// A pointer of these masks.
+    Shown(&'static Masks),
+}
+
+/// What a machine is set to when a program starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// The language at the start.
+    pub language: Language,
+    /// Where random numbers start from.
+    pub seed: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings { language: Language::default(), seed: 1 }
+    }
+}
+
+/// The machine that a program runs on.
+pub struct Machine {
+    port: Rc<RefCell<Port>>,
+    screen: Box<Screen>,
+    storage: Box<dyn Storage>,
+    seed: u64,
+}
+
+impl Machine {
+    /// A machine with a black screen.
+    pub fn new(storage: Box<dyn Storage>, settings: Settings) -> Machine {
+        let port = Port {
+            screen: Box::new(Screen::new()),
+            pointer: Pointer::Shown(&Masks::ARROW),
+            mouse: Mouse::default(),
+            now: Duration::ZERO,
+            wait: Wait::Event,
+            model: None,
+            language: settings.language,
+            answer: None,
+        };
+        Machine {
+            port: Rc::new(RefCell::new(port)),
+            screen: Box::new(Screen::new()),
+            storage,
+            seed: settings.seed,
+        }
+    }
+
+    fn port(&self) -> Rc<RefCell<Port>> {
+        Rc::clone(&self.port)
+    }
+
+    /// The screen, to draw on.
+    pub fn screen(&mut self) -> &mut Screen {
+        &mut self.screen
+    }
+
+    /// Where files are read and written.
+    pub fn storage(&mut self) -> &mut dyn Storage {
+        &mut *self.storage
+    }
+
+    /// Where random numbers start from (`--seed`).
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// Where the mouse is and what it holds.
+    pub fn mouse(&self) -> Mouse {
+        self.port.borrow().mouse
+    }
+
+    /// Time since the program started.
+    pub fn now(&self) -> Duration {
+        self.port.borrow().now
+    }
+
+    /// The language of the texts.
+    pub fn language(&self) -> Language {
+        self.port.borrow().language
+    }
+
+    /// Changes the language of the texts; the caller draws the screen again.
+    pub fn set_language(&mut self, language: Language) {
+        self.port.borrow_mut().language = language;
+    }
+
+    /// Chooses the mouse pointer.
+    pub fn set_pointer(&mut self, pointer: Pointer) {
+        self.port.borrow_mut().pointer = pointer;
+    }
+
+    /// Makes a copy of the program's model known, for `dump` in a script.
+    pub fn publish<T: Serialize + 'static>(&mut self, model: T) {
+        self.port.borrow_mut().model = Some(Box::new(model));
+    }
+
+    /// Shows the screen and sleeps until something happens.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn event(&mut self) -> Result<Tick, Quit> {
+        self.turn(Wait::Event).await
+    }
+
+    /// Shows the screen and sleeps until something happens or the next frame of an animation is due.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn frame(&mut self) -> Result<Tick, Quit> {
+        self.turn(Wait::Frame).await
+    }
+
+    /// Shows the screen and sleeps until something happens, but not beyond a moment of [`Machine::now`].
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn event_before(&mut self, moment: Duration) -> Result<Tick, Quit> {
+        self.turn(Wait::Until(moment)).await
+    }
+
+    fn turn(&mut self, wait: Wait) -> Turn<'_> {
+        Turn { port: &self.port, screen: &mut self.screen, wait, handed_over: false }
+    }
+}

@@ -1,1 +1,19 @@
-//! Room under construction.
+//! What every program shows its user: frames, visual buttons with hot letters, the communication page
+//! with its questions and entries, messages, the help page, and the words in Hungarian and English.
+//!
+//! The toolkit holds no state of a program: a question gets the program's own drawing and lays itself
+//! over it, so that the language can change and help can be read in the middle of a question.
+
+mod ask;
+mod desk;
+mod entry;
+mod frame;
+mod notice;
+pub mod words;
+
+pub use ask::{Answer, Caption, Field, Form, MIDDLE, Number, Question, TOP, Way};
+pub use desk::{Desk, Draw, KeyHelp, Manual};
+pub use entry::{Accepts, Entry, Typed};
+pub use frame::{Area, Button, page, panel, raised, sunken, window};
+pub use notice::Stay;
+pub use words::{Hot, Phrase, Words};

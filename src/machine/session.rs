@@ -1,0 +1,247 @@
+//! A running program as a display sees it: events and time go in, pictures come out.
+//!
+//! Frames and deadlines fall on a fixed grid of the session's own time, whatever the display's rate, so
+//! that a recorded session replays to the same pictures.
+
+use super::event::{Event, Tick};
+use super::port::{Port, Wait};
+use super::record::Recorder;
+use super::{Language, Machine, Pointer, Quit};
+use crate::screen::{Masks, Screen};
+use std::cell::{Ref, RefCell};
+use std::future::Future;
+use std::pin::Pin;
+use std::rc::Rc;
+use std::task::{Context, Poll, Waker};
+use std::time::Duration;
+
+/// A program as a display polls it.
+type Running = Pin<Box<dyn Future<Output = Result<(), Quit>>>>;
+
+/// Frames of an animation a second.
+pub const FRAMES_PER_SECOND: u32 = 60;
+
+/// Frames that are made up for when a display was held up; what is older is left out.
+const FRAMES_CAUGHT_UP: u32 = 2 * FRAMES_PER_SECOND;
+
+/// A program that has been started and waits for its display.
+pub struct Session {
+    port: Rc<RefCell<Port>>,
+    program: Option<Running>,
+    recorder: Option<Recorder>,
+}
+
+impl Session {
+    /// Starts a program on a machine and runs it until it first waits.
+    pub fn start<P, F>(machine: Machine, program: P) -> Session
+    where
+        P: FnOnce(Machine) -> F,
+        F: Future<Output = Result<(), Quit>> + 'static,
+    {
+        let port = machine.port();
+        let mut session = Session { port, program: Some(Box::pin(program(machine))), recorder: None };
+        session.poll();
+        session
+    }
+
+    /// Writes every event from now on as a script.
+    pub fn record(&mut self, recorder: Recorder) {
+        self.recorder = Some(recorder);
+    }
+
+    /// Whether the program has ended.
+    pub fn ended(&self) -> bool {
+        self.program.is_none()
+    }
+
+    /// The screen as the program left it.
+    pub fn screen(&self) -> Ref<'_, Screen> {
+        Ref::map(self.port.borrow(), |port| &*port.screen)
+    }
+
+    /// The mouse pointer's shape and place, if the program shows one.
+    pub fn pointer(&self) -> Option<(&'static Masks, i32, i32)> {
+        let port = self.port.borrow();
+        match port.pointer {
+            Pointer::Hidden => None,
+            Pointer::Shown(masks) => Some((masks, port.mouse.x, port.mouse.y)),
+        }
+    }
+
+    /// The language that the program speaks now.
+    pub fn language(&self) -> Language {
+        self.port.borrow().language
+    }
+
+    /// The program's model as JSON, if it has one.
+    pub fn model(&self) -> Option<serde_json::Result<String>> {
+        self.port.borrow().model.as_ref().map(|model| model.json())
+    }
+
+    /// When the program wants to run again without any event; `None` while it only waits for one.
+    pub fn deadline(&self) -> Option<Duration> {
+        let port = self.port.borrow();
+        match port.wait {
+            _ if self.program.is_none() => None,
+            Wait::Event => None,
+            Wait::Frame => Some(next_frame(port.now)),
+            Wait::Until(moment) => Some(moment),
+        }
+    }
+
+    /// Lets the session's time reach `now`: frames and deadlines on the way are delivered in order.
+    pub fn advance(&mut self, now: Duration) {
+        let oldest = now.saturating_sub(Duration::from_secs(1) * FRAMES_CAUGHT_UP / FRAMES_PER_SECOND);
+        while let Some(deadline) = self.deadline().filter(|&deadline| deadline <= now) {
+            let animated = self.port.borrow().wait == Wait::Frame;
+            let moment = if animated { deadline.max(oldest) } else { deadline };
+            self.deliver(None, moment);
+        }
+        let mut port = self.port.borrow_mut();
+        port.now = port.now.max(now);
+    }
+
+    /// Delivers one event that happened at `now`; the program has fully reacted when this returns.
+    pub fn send(&mut self, event: Event, now: Duration) {
+        self.advance(now);
+        if self.ended() {
+            return;
+        }
+        if let Some(recorder) = &mut self.recorder {
+            recorder.event(event, now);
+        }
+        self.deliver(Some(event), now);
+    }
+
+    /// Ends the recording and says whether all of it could be written.
+    pub fn finish_recording(&mut self) -> std::io::Result<()> {
+        self.recorder.take().map_or(Ok(()), |recorder| recorder.finish(self.port.borrow().now))
+    }
+
+    fn deliver(&mut self, event: Option<Event>, now: Duration) {
+        let mut port = self.port.borrow_mut();
+        port.now = port.now.max(now);
+        if let Some(event) = event {
+            port.mouse = port.mouse.after(event);
+        }
+        port.answer = Some(match event {
+            Some(Event::Close) => Err(Quit),
+            event => Ok(Tick { event, now: port.now, mouse: port.mouse }),
+        });
+        drop(port);
+        self.poll();
+    }
+
+    fn poll(&mut self) {
+        let Some(program) = &mut self.program else { return };
+        let mut context = Context::from_waker(Waker::noop());
+        if let Poll::Ready(_) = program.as_mut().poll(&mut context) {
+            self.program = None;
+        }
+    }
+}
+
+/// The first frame of the grid after a moment.
+fn next_frame(now: Duration) -> Duration {
+    let frame = Duration::from_secs(1) / FRAMES_PER_SECOND;
+    let number = now.as_nanos() / frame.as_nanos() + 1;
+    frame.saturating_mul(u32::try_from(number).unwrap_or(u32::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{Button, Key, Memory, Settings};
+    use crate::screen::Color;
+
+    fn machine() -> Machine {
+        Machine::new(Box::new(Memory::default()), Settings::default())
+    }
+
+    fn ms(milliseconds: u64) -> Duration {
+        Duration::from_millis(milliseconds)
+    }
+
+    #[test]
+    fn program_draws_and_the_display_sees_it() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            loop {
+                let tick = machine.event().await?;
+                if let Some((x, y)) = tick.click() {
+                    machine.screen().set(x, y, Color::White);
+                }
+                if tick.pressed(Key::Esc) {
+                    return Ok(());
+                }
+            }
+        });
+        session.send(Event::Move(30, 40), ms(1));
+        session.send(Event::Press(Button::Left), ms(1));
+        assert_eq!(session.screen().pixel(30, 40), Some(Color::White));
+        assert_eq!(session.deadline(), None);
+        session.send(Event::Key(Key::Esc), ms(2));
+        assert!(session.ended());
+        session.send(Event::Key(Key::Esc), ms(3));
+    }
+
+    #[test]
+    fn close_is_an_error_that_a_program_may_answer() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            while machine.event().await.is_ok() {}
+            machine.screen().clear(Color::Red);
+            machine.event().await?;
+            Ok(())
+        });
+        session.send(Event::Close, ms(0));
+        assert!(!session.ended());
+        assert_eq!(session.screen().pixel(0, 0), Some(Color::Red));
+        session.send(Event::Close, ms(0));
+        assert!(session.ended());
+    }
+
+    #[test]
+    fn frames_fall_on_the_grid_whatever_the_display_does() {
+        let count = |steps: &[u64]| {
+            let mut session = Session::start(machine(), |mut machine| async move {
+                let mut frames = 0u32;
+                loop {
+                    frames += 1;
+                    machine.publish(frames);
+                    machine.frame().await?;
+                }
+            });
+            steps.iter().for_each(|&step| session.advance(ms(step)));
+            session.model().unwrap().unwrap()
+        };
+        assert_eq!(count(&[1000]), "61");
+        assert_eq!(count(&[1, 2, 3, 17, 500, 501, 999, 1000]), "61");
+    }
+
+    #[test]
+    fn a_deadline_passes_before_a_later_event() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            let first = machine.event_before(ms(2000)).await?;
+            let second = machine.event().await?;
+            machine.publish((first.event.is_none(), second.key() == Some(Key::Enter)));
+            machine.event().await?;
+            Ok(())
+        });
+        session.send(Event::Key(Key::Enter), ms(2500));
+        assert!(session.model().unwrap().unwrap().contains("true"));
+    }
+
+    #[test]
+    fn a_held_up_display_does_not_repeat_hours_of_frames() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            let mut frames = 0u32;
+            loop {
+                machine.frame().await?;
+                frames += 1;
+                machine.publish(frames);
+            }
+        });
+        session.advance(Duration::from_secs(36_000));
+        let frames: u32 = session.model().unwrap().unwrap().parse().unwrap();
+        assert!(frames <= FRAMES_CAUGHT_UP + 1, "{frames}");
+    }
+}

@@ -1,0 +1,134 @@
+//! Where programs keep their files: a flat place of names, whatever stands behind it.
+//!
+//! The folder on disk is `folder.rs`; [`Memory`] serves tests and displays without a disk.
+
+use super::samples::sample;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What can go wrong with a stored file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum StorageProblem {
+    /// There is no file of this name.
+    NotFound,
+    /// The name is not one that can be used; the text says why.
+    BadName(&'static str),
+    /// The system's own message.
+    System(String),
+}
+
+/// A stored file that could not be read or written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StorageError {
+    /// The name of the file.
+    pub name: String,
+    /// What is wrong with it.
+    pub problem: StorageProblem,
+}
+
+impl fmt::Display for StorageError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = &self.name;
+        match &self.problem {
+            StorageProblem::NotFound => write!(f, "{name}: there is no such file"),
+            StorageProblem::BadName(why) => write!(f, "{name:?} is no file name: {why}"),
+            StorageProblem::System(message) => write!(f, "{name}: {message}"),
+        }
+    }
+}
+
+impl std::error::Error for StorageError {}
+
+/// A place of files. Names are plain file names, without folders; case does not matter when reading.
+pub trait Storage {
+    /// The whole content of a file; a name that is not there is looked up among the built-in samples.
+    ///
+    /// # Errors
+    /// [`StorageError`] with the name and what is wrong.
+    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError>;
+
+    /// Writes a whole file, so that a crash leaves the old content or the new one.
+    ///
+    /// # Errors
+    /// [`StorageError`] with the name and what is wrong; the old content is whole then.
+    fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError>;
+
+    /// The name under which a file is stored here, in whatever case (the built-in samples do not count).
+    fn find(&self, name: &str) -> Option<String>;
+}
+
+/// Checks that a name is a plain file name.
+pub(super) fn check_name(name: &str) -> Result<(), StorageError> {
+    let why = if name.is_empty() {
+        "it is empty"
+    } else if name.len() > 255 {
+        "it is longer than 255 bytes"
+    } else if name.contains(['/', '\\']) {
+        "it contains a slash; give a name without folders"
+    } else if name == "." || name == ".." {
+        "it stands for a folder"
+    } else if name.chars().any(char::is_control) {
+        "it contains a control character"
+    } else {
+        return Ok(());
+    };
+    Err(StorageError { name: name.to_string(), problem: StorageProblem::BadName(why) })
+}
+
+/// Content of the built-in sample of this name, or the error that there is no such file.
+pub(super) fn sample_or_not_found(name: &str) -> Result<Vec<u8>, StorageError> {
+    sample(name)
+        .map(<[u8]>::to_vec)
+        .ok_or_else(|| StorageError { name: name.to_string(), problem: StorageProblem::NotFound })
+}
+
+/// Files in memory.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+impl Storage for Memory {
+    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
+        check_name(name)?;
+        match self.find(name).and_then(|found| self.files.get(&found)) {
+            Some(content) => Ok(content.clone()),
+            None => sample_or_not_found(name),
+        }
+    }
+
+    fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
+        check_name(name)?;
+        let stored = self.find(name).unwrap_or_else(|| name.to_string());
+        self.files.insert(stored, content.to_vec());
+        Ok(())
+    }
+
+    fn find(&self, name: &str) -> Option<String> {
+        self.files.keys().find(|known| known.eq_ignore_ascii_case(name)).cloned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_found_in_any_case() {
+        let mut memory = Memory::default();
+        memory.write("Six.IP2", b"one").unwrap();
+        memory.write("SIX.ip2", b"two").unwrap();
+        assert_eq!(memory.read("six.ip2").unwrap(), b"two");
+        assert_eq!(memory.find("SIX.IP2").as_deref(), Some("Six.IP2"));
+    }
+
+    #[test]
+    fn bad_names_say_what_is_wrong() {
+        let mut memory = Memory::default();
+        for name in ["", "a/b", "..", "a\\b", "a\nb", &"x".repeat(300)] {
+            let message = memory.write(name, b"").unwrap_err().to_string();
+            assert!(message.contains("is no file name"), "{message}");
+        }
+        assert_eq!(memory.read("NOFILE.IP2").unwrap_err().to_string(), "NOFILE.IP2: there is no such file");
+    }
+}

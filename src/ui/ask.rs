@@ -1,0 +1,269 @@
+//! Questions and entries on the communication page. Esc cancels every one of them, and the close
+//! button works in them; the program's picture is drawn under them again whenever something changes.
+
+use super::desk::{Desk, Draw};
+use super::entry::{Accepts, Entry, Typed};
+use super::frame::{Area, hot_text, page, window};
+use super::words::{self, Hot, Phrase, Words};
+use crate::machine::{Key, Language, Quit};
+use crate::screen::{Color, Screen};
+use std::ops::RangeInclusive;
+
+/// The communication page's place at the top of the screen.
+pub const TOP: (i32, i32) = (208, 5);
+/// The page's place in the middle of the picture.
+pub const MIDDLE: (i32, i32) = (200, 200);
+
+/// A question with two answers.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The page's upper left corner.
+    pub place: (i32, i32),
+    /// What is asked.
+    pub title: Phrase,
+    /// The two answers.
+    pub answers: [Hot; 2],
+}
+
+impl Question {
+    /// A question at a place.
+    pub fn new(place: (i32, i32), title: impl Into<Phrase>, answers: [Hot; 2]) -> Question {
+        Question { place, title: title.into(), answers }
+    }
+
+    /// A yes-or-no question in the middle of the picture.
+    pub fn yes_no(title: impl Into<Phrase>) -> Question {
+        Question::new(MIDDLE, title, [words::YES, words::NO])
+    }
+
+    fn windows(&self) -> [Area; 2] {
+        let (x, y) = self.place;
+        [Area::new(x + 40, y + 21, x + 104, y + 34), Area::new(x + 150, y + 21, x + 210, y + 34)]
+    }
+
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        let (x, y) = self.place;
+        page(screen, self.place);
+        screen.text(x + 7, y + 8, self.title.of(language), Color::Black);
+        for (area, answer) in self.windows().into_iter().zip(self.answers) {
+            window(screen, area);
+            hot_text(screen, area.x1 + 5, y + 24, answer, Color::White, language);
+        }
+    }
+}
+
+/// The first or the second answer of a question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The answer on the left.
+    First,
+    /// The answer on the right.
+    Second,
+}
+
+/// A text on an entry page.
+#[derive(Clone, Copy, Debug)]
+pub struct Caption {
+    /// Upper left pixel.
+    pub at: (i32, i32),
+    /// The text.
+    pub text: Words,
+    /// Its colour.
+    pub color: Color,
+}
+
+/// A number to be typed.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// The window around it.
+    pub area: Area,
+    /// Where the first character stands.
+    pub at: (i32, i32),
+    /// How many characters fit.
+    pub longest: usize,
+    /// What is taken.
+    pub kind: Number,
+}
+
+/// What numbers a field takes. A number outside the range becomes its nearest end, as in the original.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Number {
+    /// Whole numbers.
+    Whole(RangeInclusive<i32>),
+    /// Numbers with a fraction.
+    Real(RangeInclusive<f64>),
+}
+
+impl Number {
+    /// The number that was typed, moved into the range; `None` if it is no number.
+    fn read(&self, text: &str) -> Option<f64> {
+        match self {
+            // Through a wide type: what is too large for the range is still a number.
+            Number::Whole(range) => text
+                .parse::<i64>()
+                .ok()
+                .map(|number| number.clamp(i64::from(*range.start()), i64::from(*range.end())) as f64),
+            Number::Real(range) => {
+                let number: f64 = text.parse().ok()?;
+                number.is_finite().then(|| number.clamp(*range.start(), *range.end()))
+            }
+        }
+    }
+}
+
+/// A page of numbers that are typed one after the other.
+#[derive(Clone, Debug)]
+pub struct Form {
+    /// The texts on the page.
+    pub captions: Vec<Caption>,
+    /// The numbers, in the order in which they are typed.
+    pub fields: Vec<Field>,
+}
+
+impl Desk<'_> {
+    /// Asks a question; `None` is Esc.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn ask(&mut self, draw: Draw<'_>, question: &Question) -> Result<Option<Answer>, Quit> {
+        let windows = question.windows();
+        loop {
+            let tick = self
+                .event(&|screen, language| {
+                    draw(screen, language);
+                    question.draw(screen, language);
+                })
+                .await?;
+            if tick.pressed(Key::Esc) {
+                return Ok(None);
+            }
+            let chosen = |index: usize| {
+                tick.letter() == Some(question.answers[index].letter)
+                    || tick.click().is_some_and(|(x, y)| windows[index].holds(x, y))
+            };
+            for (index, answer) in [Answer::First, Answer::Second].into_iter().enumerate() {
+                if chosen(index) {
+                    return Ok(Some(answer));
+                }
+            }
+        }
+    }
+
+    /// Asks a yes-or-no question; Esc is no.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn yes(&mut self, draw: Draw<'_>, title: impl Into<Phrase>) -> Result<bool, Quit> {
+        Ok(self.ask(draw, &Question::yes_no(title)).await? == Some(Answer::First))
+    }
+
+    /// Lets numbers be typed on the page at the top; `None` is Esc in any of them. What is no number
+    /// empties its window and is asked for again.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn numbers(&mut self, draw: Draw<'_>, form: &Form) -> Result<Option<Vec<f64>>, Quit> {
+        let new_entry = |field: &Field| Entry::new(field.area, field.at, field.longest, Accepts::Number);
+        let mut entries: Vec<Entry> = form.fields.iter().map(new_entry).collect();
+        let mut numbers = Vec::new();
+        while let Some(field) = form.fields.get(numbers.len()) {
+            let tick = self
+                .event(&|screen, language| {
+                    draw(screen, language);
+                    page(screen, TOP);
+                    for caption in &form.captions {
+                        screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
+                    }
+                    entries.iter().for_each(|entry| entry.draw(screen));
+                })
+                .await?;
+            let (Some(key), Some(entry)) = (tick.key(), entries.get_mut(numbers.len())) else { continue };
+            match entry.key(key) {
+                Typed::On => {}
+                Typed::Cancelled => return Ok(None),
+                Typed::Done => match field.kind.read(&entry.text) {
+                    Some(number) => {
+                        entry.text = number.to_string();
+                        numbers.push(number);
+                    }
+                    None => entry.text.clear(),
+                },
+            }
+        }
+        Ok(Some(numbers))
+    }
+
+    /// Lets a file name without extension be typed; `None` is Esc.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn file_name(
+        &mut self,
+        draw: Draw<'_>,
+        extension: &str,
+        way: Way,
+    ) -> Result<Option<String>, Quit> {
+        // Where the original puts the window differs by some pixels between saving and loading.
+        let (right, dot_x, y) = match way {
+            Way::Save => (350, 350, 221),
+            Way::Load => (360, 364, 222),
+        };
+        let mut entry = Entry::new(Area::new(270, 219, right, 232), (278, y + 1), 8, Accepts::Name);
+        let dotted = format!(".{extension}");
+        loop {
+            let tick = self
+                .event(&|screen, language| {
+                    draw(screen, language);
+                    page(screen, MIDDLE);
+                    screen.text(262, 208, words::FILE_NAME.of(language), Color::Black);
+                    entry.draw(screen);
+                    screen.text(dot_x, 222, &dotted, Color::Black);
+                })
+                .await?;
+            match tick.key().map_or(Typed::On, |key| entry.key(key)) {
+                Typed::On => {}
+                Typed::Cancelled => return Ok(None),
+                Typed::Done => {
+                    let name = entry.text.strip_suffix(&dotted).unwrap_or(&entry.text);
+                    if name.contains('.') {
+                        self.tell(words::NO_DOT, super::Stay::UntilRead);
+                    } else if !name.is_empty() {
+                        return Ok(Some(format!("{name}{dotted}")));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Whether a file name is asked for to save or to load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The file will be written.
+    Save,
+    /// The file will be read.
+    Load,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_as_the_original_reads_them() {
+        let whole = Number::Whole(0..=560);
+        assert_eq!(whole.read("999"), Some(560.0));
+        assert_eq!(whole.read("-5"), Some(0.0));
+        assert_eq!(whole.read("99999999999"), Some(560.0));
+        for junk in ["", "-", "1.5", "1E2", "--1"] {
+            assert_eq!(whole.read(junk), None, "{junk:?}");
+        }
+        let real = Number::Real(-10.0..=10.0);
+        assert_eq!(real.read("0.5"), Some(0.5));
+        assert_eq!(real.read("1E1"), Some(10.0));
+        assert_eq!(real.read("1E999"), None);
+        for junk in ["", ".", "E", "1E", "-"] {
+            assert_eq!(real.read(junk), None, "{junk:?}");
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! The desk a program works at: the machine, the keys that mean the same everywhere, and the help page.
+
+use super::notice::{MESSAGE_TIME, Notice, Stay};
+use super::words::{self, Phrase, Words};
+use crate::machine::{Event, Key, Language, Machine, Quit, Storage, Tick};
+use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use std::time::Duration;
+
+/// Draws a program's whole picture in a language. Questions draw it under themselves.
+pub type Draw<'a> = &'a dyn Fn(&mut Screen, Language);
+
+/// One line of the help page: keys and what they do.
+pub type KeyHelp = (Words, Words);
+
+/// What a program says about itself to its user.
+#[derive(Clone, Copy, Debug)]
+pub struct Manual {
+    /// The program's name, in lower case, as files are named after it.
+    pub name: &'static str,
+    /// What it is for, in one line.
+    pub about: Words,
+    /// Its keys.
+    pub keys: &'static [KeyHelp],
+}
+
+/// A machine with the manual of the program that works on it.
+pub struct Desk<'m> {
+    /// The machine.
+    pub machine: &'m mut Machine,
+    manual: Manual,
+    notice: Option<Notice>,
+}
+
+impl<'m> Desk<'m> {
+    /// A desk for a program.
+    pub fn new(machine: &'m mut Machine, manual: Manual) -> Desk<'m> {
+        Desk { machine, manual, notice: None }
+    }
+
+    /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
+    /// (language) and F12 (picture of the screen) are dealt with here.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn event(&mut self, draw: Draw<'_>) -> Result<Tick, Quit> {
+        self.event_within(draw, None).await
+    }
+
+    /// As [`Desk::event`], but not beyond a moment: a tick without event then.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn event_before(&mut self, draw: Draw<'_>, moment: Duration) -> Result<Tick, Quit> {
+        self.event_within(draw, Some(moment)).await
+    }
+
+    async fn event_within(&mut self, draw: Draw<'_>, moment: Option<Duration>) -> Result<Tick, Quit> {
+        loop {
+            self.draw(draw);
+            let expiry = self.notice.as_ref().and_then(|notice| notice.until);
+            let tick = match moment.into_iter().chain(expiry).min() {
+                Some(moment) => self.machine.event_before(moment).await?,
+                None => self.machine.event().await?,
+            };
+            self.forget_notice(&tick);
+            match tick.key() {
+                Some(Key::F(1)) => self.help().await?,
+                Some(Key::F(2)) => self.machine.set_language(self.machine.language().other()),
+                Some(Key::F(12)) => self.keep_picture(),
+                None if tick.event.is_none() && moment.is_none_or(|moment| tick.now < moment) => {}
+                _ => return Ok(tick),
+            }
+        }
+    }
+
+    /// Lays a message over the screen: for its time, or until the next key or click, which still does
+    /// what it does without the message.
+    pub fn tell(&mut self, text: impl Into<Phrase>, stay: Stay) {
+        let until = match stay {
+            Stay::Briefly => Some(self.machine.now() + MESSAGE_TIME),
+            Stay::UntilRead => None,
+        };
+        self.notice = Some(Notice { text: text.into(), until });
+    }
+
+    fn forget_notice(&mut self, tick: &Tick) {
+        let over =
+            self.notice.as_ref().and_then(|notice| notice.until).is_some_and(|until| until <= tick.now);
+        if over || matches!(tick.event, Some(Event::Key(_) | Event::Press(_))) {
+            self.notice = None;
+        }
+    }
+
+    fn draw(&mut self, draw: Draw<'_>) {
+        let language = self.machine.language();
+        draw(self.machine.screen(), language);
+        if let Some(notice) = &self.notice {
+            notice.draw(self.machine.screen(), language);
+        }
+    }
+
+    /// Saves the screen as a PNG under the first free name and says so.
+    fn keep_picture(&mut self) {
+        match self.save_picture() {
+            Ok(name) => {
+                self.tell(Phrase::new(format!("Kép: {name}"), format!("Picture: {name}")), Stay::Briefly)
+            }
+            Err(problem) => self.tell(problem, Stay::UntilRead),
+        }
+    }
+
+    fn save_picture(&mut self) -> Result<String, Phrase> {
+        let picture = Vec::new();
+        let storage = self.machine.storage();
+        let name = free_name(storage, self.manual.name);
+        storage.write(&name, &picture).map_err(|error| words::storage_problem(&error))?;
+        Ok(name)
+    }
+
+    /// Shows the program's keys until a key or click.
+    async fn help(&mut self) -> Result<(), Quit> {
+        loop {
+            let language = self.machine.language();
+            help_page(self.machine.screen(), &self.manual, language);
+            let tick = self.machine.event().await?;
+            match tick.key() {
+                Some(Key::F(2)) => self.machine.set_language(language.other()),
+                Some(_) => return Ok(()),
+                None if tick.click().is_some() => return Ok(()),
+                None => {}
+            }
+        }
+    }
+}
+
+/// The first name `NAME-1.png`, `NAME-2.png`, … that is not taken.
+fn free_name(storage: &dyn Storage, program: &str) -> String {
+    let name = |number: u32| format!("{program}-{number}.png");
+    let number = (1..u32::MAX).find(|&number| storage.find(&name(number)).is_none());
+    name(number.unwrap_or(u32::MAX))
+}
+
+/// Keys of every program, listed under its own.
+const COMMON_KEYS: &[KeyHelp] = &[
+    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO),
+    (Words("F1", "F1"), words::HELP_HELP),
+    (Words("F2", "F2"), words::HELP_LANGUAGE),
+    (Words("F11", "F11"), words::HELP_LARGEST),
+    (Words("F12", "F12"), words::HELP_PICTURE),
+    (Words("Esc", "Esc"), words::HELP_ESC),
+];
+
+fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
+    screen.clear(Color::LightCyan);
+    let inner = super::frame::Area::new(16, 16, WIDTH - 17, HEIGHT - 17);
+    screen.bar(inner.x1, inner.y1, inner.x2, inner.y2, Color::Black);
+    super::frame::sunken(screen, inner, 4);
+    screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
+    screen.text(40, 52, manual.about.of(language), Color::White);
+    for (row, (keys, what)) in (0..).zip(manual.keys.iter().chain(COMMON_KEYS)) {
+        let y = 80 + 16 * row;
+        screen.text(40, y, keys.of(language), Color::LightRed);
+        screen.text(176, y, what.of(language), Color::White);
+    }
+    screen.text(40, HEIGHT - 40, words::HELP_LEAVE.of(language), Color::LightGray);
+}
