@@ -1,1 +1,34 @@
-//! Room under construction.
+//! The data files of the DOS programs by extension: bytes to values and back, and JSON and CSV beside them.
+//!
+//! [`Document::read`] trusts no byte: a file is refused with what is wrong and where.
+//! [`Document::write`] gives a file that the DOS program reads and draws rightly. JSON holds everything
+//! that a document can, also what the DOS format has no place for: settings, fractions, more points.
+//! Nothing is opened or saved here; [`crate::machine`] does that.
+
+mod check;
+mod cube;
+mod cube_shapes;
+mod document;
+mod error;
+mod format;
+mod fourier;
+mod json;
+mod json_text;
+mod net;
+mod plane;
+mod settings;
+mod space;
+mod view;
+mod wheel;
+
+pub use cube::{CsangoCube, CubePiece, ROTATIONS};
+pub use cube_shapes::{PIECES, PieceShape, TABLE, shape};
+pub use document::Document;
+pub use error::FileError;
+pub use format::Format;
+pub use fourier::{Fourier, HARMONICS};
+pub use net::{Net, NetKind};
+pub use plane::{FIELD, MAX_POINTS, PlanePoints, Tangent, Tangents};
+pub use settings::{CurveSettings, Method, NetSettings};
+pub use space::SpacePoints;
+pub use wheel::{ARMS, BeadWheel, EMPTY, RINGS};

@@ -1,0 +1,133 @@
+//! One type over all contents, and the way between it and DOS files.
+
+use super::{
+    BeadWheel, CsangoCube, FileError, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints, Tangents,
+};
+
+/// What a data file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Document {
+    /// `.IP2`, `.IC2`: control points in the plane, perhaps with tangents.
+    PlanePoints(PlanePoints),
+    /// `.EC2` without its twin.
+    Tangents(Tangents),
+    /// `.GBP`: coefficients of a Fourier curve.
+    Fourier(Fourier),
+    /// `.IP3`: control points in space.
+    SpacePoints(SpacePoints),
+    /// `.FHC` to `.ZYP`: a control net.
+    Net(Net),
+    /// `.GYK`: a position of the bead wheel.
+    BeadWheel(BeadWheel),
+    /// `.CSK`: a position of the Csángó cube.
+    CsangoCube(CsangoCube),
+}
+
+impl Document {
+    /// The document in the bytes of a DOS file.
+    ///
+    /// # Errors
+    /// [`FileError`] when the size is wrong or a value that means something cannot be; fields that the
+    /// programs compute again are not looked at.
+    pub fn read(format: Format, bytes: &[u8]) -> Result<Self, FileError> {
+        if bytes.len() != format.size() {
+            return Err(FileError::Size { format, found: bytes.len() });
+        }
+        if let Some(kind) = NetKind::of(format) {
+            return Net::read(kind, bytes).map(Self::Net);
+        }
+        match format {
+            Format::Ec2 => Tangents::read(bytes).map(Self::Tangents),
+            Format::Gbp => Fourier::read(bytes).map(Self::Fourier),
+            Format::Ip3 => SpacePoints::read(bytes).map(Self::SpacePoints),
+            Format::Gyk => BeadWheel::read(bytes).map(Self::BeadWheel),
+            Format::Csk => CsangoCube::read(bytes).map(Self::CsangoCube),
+            // The nets are done.
+            _ => PlanePoints::read(bytes).map(Self::PlanePoints),
+        }
+    }
+
+    /// The bytes of a DOS file with this document. Fields that only cache something are filled as the
+    /// original programs would; those that nobody uses are zero.
+    ///
+    /// # Errors
+    /// [`FileError`] when the values do not belong together or the format cannot hold them.
+    pub fn write(&self, format: Format) -> Result<Vec<u8>, FileError> {
+        self.check()?;
+        match (self, format) {
+            (Self::PlanePoints(points), Format::Ip2 | Format::Ic2) => points.write(format),
+            (Self::PlanePoints(points), Format::Ec2) => points.write_tangents(),
+            (Self::Tangents(tangents), Format::Ec2) => tangents.write(),
+            (Self::Fourier(fourier), Format::Gbp) => fourier.write(),
+            (Self::SpacePoints(points), Format::Ip3) => points.write(),
+            (Self::BeadWheel(wheel), Format::Gyk) => Ok(wheel.write()),
+            (Self::CsangoCube(cube), Format::Csk) => cube.write(),
+            (Self::Net(net), _) if NetKind::of(format).is_some_and(|kind| net.kind.goes_into(kind)) => {
+                net.write(NetKind::of(format).unwrap_or(net.kind))
+            }
+            _ => {
+                let content = self.format().english();
+                Err(FileError::misfit(format, format!("{content}; it holds {}", format.english())))
+            }
+        }
+    }
+
+    /// The DOS format that this document is at home in. Points with tangents belong into `.IC2`, and a
+    /// second file [`Format::Ec2`] with the tangents beside it.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        match self {
+            Self::PlanePoints(points) if points.tangents.is_some() => Format::Ic2,
+            Self::PlanePoints(_) => Format::Ip2,
+            Self::Tangents(_) => Format::Ec2,
+            Self::Fourier(_) => Format::Gbp,
+            Self::SpacePoints(_) => Format::Ip3,
+            Self::Net(net) => net.kind.format(),
+            Self::BeadWheel(_) => Format::Gyk,
+            Self::CsangoCube(_) => Format::Csk,
+        }
+    }
+
+    /// Checks what every document must keep, wherever it goes: finite numbers, matching lengths, possible
+    /// positions.
+    ///
+    /// # Errors
+    /// [`FileError::Invalid`] with what is wrong and where.
+    pub fn check(&self) -> Result<(), FileError> {
+        match self {
+            Self::PlanePoints(points) => points.check(),
+            Self::Tangents(_) => Ok(()),
+            Self::Fourier(fourier) => fourier.check(),
+            Self::SpacePoints(points) => points.check(),
+            Self::Net(net) => net.check(),
+            Self::BeadWheel(wheel) => wheel.check(),
+            Self::CsangoCube(cube) => cube.check(),
+        }
+    }
+
+    /// Facts about the document, one a line: what it is and how many, the box around it, all values.
+    #[must_use]
+    pub fn describe(&self) -> Vec<String> {
+        match self {
+            Self::PlanePoints(points) => points.describe(),
+            Self::Tangents(tangents) => tangents.describe(),
+            Self::Fourier(fourier) => fourier.describe(),
+            Self::SpacePoints(points) => points.describe(),
+            Self::Net(net) => net.describe(),
+            Self::BeadWheel(wheel) => wheel.describe(),
+            Self::CsangoCube(cube) => cube.describe(),
+        }
+    }
+
+    /// The document without the settings that no DOS file holds.
+    #[must_use]
+    pub fn without_settings(mut self) -> Self {
+        match &mut self {
+            Self::PlanePoints(points) => points.settings = Default::default(),
+            Self::SpacePoints(points) => points.settings = Default::default(),
+            Self::Net(net) => net.settings = Default::default(),
+            Self::Tangents(_) | Self::Fourier(_) | Self::BeadWheel(_) | Self::CsangoCube(_) => {}
+        }
+        self
+    }
+}

@@ -1,0 +1,159 @@
+//! The table of the data files: extension, size, what is in it, whose it is.
+
+use std::fmt;
+
+/// A data file of the DOS programs, named after its extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)] // the table below says what each one is
+pub enum Format {
+    Ip2,
+    Ic2,
+    Ec2,
+    Gbp,
+    Ip3,
+    Fhc,
+    Fps,
+    Fem,
+    Fpb,
+    Fbs,
+    Zms,
+    Zmb,
+    Zys,
+    Zyb,
+    Zyp,
+    Gyk,
+    Csk,
+}
+
+/// One row of the table.
+struct Row {
+    format: Format,
+    extension: &'static str,
+    size: usize,
+    english: &'static str,
+    hungarian: &'static str,
+    programs: &'static [&'static str],
+}
+
+macro_rules! rows {
+    ($($format:ident $extension:literal $size:literal $english:literal $hungarian:literal $programs:expr;)*) => {
+        /// Every format, in the order of the table.
+        const ALL: &[Format] = &[$(Format::$format),*];
+        const ROWS: &[Row] = &[$(Row {
+            format: Format::$format,
+            extension: $extension,
+            size: $size,
+            english: $english,
+            hungarian: $hungarian,
+            programs: &$programs,
+        }),*];
+    };
+}
+
+rows! {
+    Ip2 "IP2" 1300 "control points in the plane" "síkbeli kontrollpontok" ["GB_2D_IP", "GB_2D_BT"];
+    Ic2 "IC2" 1300 "control points with tangents" "kontrollpontok érintőkkel" ["GB_2D_CH"];
+    Ec2 "EC2" 1300 "tangents at control points" "érintők a kontrollpontokban" ["GB_2D_CH"];
+    Gbp "GBP" 504 "coefficients of a Fourier curve" "Fourier-görbe együtthatói" ["GB_P_2D"];
+    Ip3 "IP3" 3000 "control points in space" "térbeli kontrollpontok" ["GB_3D_IP", "GB_3D_BT"];
+    Fhc "FHC" 640 "Hermite patch" "Hermite-folt" ["F_P_HERM"];
+    Fps "FPS" 640 "net of an open spline surface" "nyílt spline felület hálója" ["F_P_SPLN", "F_P_HSPL"];
+    Fem "FEM" 640 "heights of a spline surface" "spline felület magasságai" ["F_EM_SPL"];
+    Fpb "FPB" 640 "net of a Bézier patch" "Bézier-folt hálója" ["F_P_BEZR"];
+    Fbs "FBS" 640 "net of an open B-spline surface" "nyílt B-spline felület hálója" ["F_P_BSPL", "F_P_BETS"];
+    Zms "ZMS" 640 "net of a spline surface like a sphere" "gömbszerű spline felület hálója" ["ZM_SPLN", "ZM_HSPL"];
+    Zmb "ZMB" 640 "net of a B-spline surface like a sphere" "gömbszerű B-spline felület hálója" ["ZM_BSPL", "ZM_BETSP"];
+    Zys "ZYS" 640 "net of a spline surface like a torus" "gyűrűszerű spline felület hálója" ["ZY_SPLN", "ZY_HSPL"];
+    Zyb "ZYB" 640 "net of a B-spline surface like a torus" "gyűrűszerű B-spline felület hálója" ["ZY_BSPL", "ZY_BETSP"];
+    Zyp "ZYP" 640 "net of a beta-spline surface like a torus" "gyűrűszerű béta-spline felület hálója" ["ZY_BETSP"];
+    Gyk "GYK" 37 "position of the bead wheel" "a gyöngykerék állása" ["GYONGY_K"];
+    Csk "CSK" 17024 "position of the Csángó cube" "a csángó kocka állása" ["CSANGO_K"];
+}
+
+impl Format {
+    /// Every format, in the order of the table.
+    pub const ALL: &[Self] = ALL;
+
+    /// The extension in capitals, without the dot.
+    #[must_use]
+    pub fn extension(self) -> &'static str {
+        self.row().extension
+    }
+
+    /// The size of every file of this format, in bytes.
+    #[must_use]
+    pub fn size(self) -> usize {
+        self.row().size
+    }
+
+    /// What such a file holds, in English.
+    #[must_use]
+    pub fn english(self) -> &'static str {
+        self.row().english
+    }
+
+    /// What such a file holds, in Hungarian.
+    #[must_use]
+    pub fn hungarian(self) -> &'static str {
+        self.row().hungarian
+    }
+
+    /// The programs that read or write it; the first one is the one to open it with.
+    #[must_use]
+    pub fn programs(self) -> &'static [&'static str] {
+        self.row().programs
+    }
+
+    /// The format of a file by its name (`A.IP2`, `curves/a.ip2`); the case does not matter.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        name.rsplit_once('.').and_then(|(_, extension)| Self::from_extension(extension))
+    }
+
+    /// The format with this extension, given without the dot; the case does not matter.
+    #[must_use]
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        ROWS.iter().find(|row| row.extension.eq_ignore_ascii_case(extension)).map(|row| row.format)
+    }
+
+    fn row(self) -> &'static Row {
+        // The macro writes both lists in the order of its rows; a test sees that they agree with the enum.
+        &ROWS[self as usize]
+    }
+}
+
+impl fmt::Display for Format {
+    /// The extension with its dot: `.IP2`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, ".{}", self.extension())
+    }
+}
+
+/// `an .IP2 file`, `a .GBP file`.
+pub(super) fn a_file(format: Format) -> String {
+    // Read letter by letter: I, E and F begin with a vowel.
+    let article = if format.extension().starts_with(['I', 'E', 'F']) { "an" } else { "a" };
+    format!("{article} {format} file")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_in_the_order_of_the_enum() {
+        for (index, &format) in Format::ALL.iter().enumerate() {
+            assert_eq!(format as usize, index);
+            assert_eq!(format.row().format, format);
+        }
+        assert_eq!(Format::Csk as usize + 1, Format::ALL.len());
+    }
+
+    #[test]
+    fn names_in_any_case() {
+        assert_eq!(Format::from_name("A.IP2"), Some(Format::Ip2));
+        assert_eq!(Format::from_name("some.where/a.b.zyp"), Some(Format::Zyp));
+        assert_eq!(Format::from_name("IP2"), None);
+        assert_eq!(Format::from_name("a.ip4"), None);
+    }
+}

@@ -1,0 +1,80 @@
+//! Coefficients of a Fourier curve: `.GBP`.
+//!
+//! Four rows a, p, b, q of 21 6-byte reals, columns k = 0..20; p0 and q0 are not used.
+
+use super::{FileError, Format, check};
+use crate::pascal::{Reader, Writer};
+use serde::{Deserialize, Serialize};
+
+/// Harmonics 0..20.
+pub const HARMONICS: usize = 21;
+
+/// The plane curve x(t) = a0 + sum a_k sin(kt + p_k pi), y(t) = b0 + sum b_k sin(kt + q_k pi), t in 0..2pi
+/// (2.8), in pixels, y upwards. Column 0 of `p` and `q` is not used.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fourier {
+    /// Amplitudes of x in pixels.
+    pub a: [f64; HARMONICS],
+    /// Phases of x in units of pi.
+    pub p: [f64; HARMONICS],
+    /// Amplitudes of y in pixels.
+    pub b: [f64; HARMONICS],
+    /// Phases of y in units of pi.
+    pub q: [f64; HARMONICS],
+}
+
+impl Fourier {
+    fn rows(&self) -> [(&'static str, &[f64; HARMONICS]); 4] {
+        [("a", &self.a), ("p", &self.p), ("b", &self.b), ("q", &self.q)]
+    }
+
+    /// # Errors
+    /// [`FileError::Invalid`] when a coefficient is not finite.
+    pub(super) fn check(&self) -> Result<(), FileError> {
+        for (name, row) in self.rows() {
+            if let Some((k, value)) = row.iter().enumerate().find(|(_, v)| !v.is_finite()) {
+                return Err(FileError::Invalid(format!("{name}{k} = {value} is not a finite number")));
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn describe(&self) -> Vec<String> {
+        let mut lines = vec!["coefficients of a Fourier curve".to_owned()];
+        for k in 0..HARMONICS {
+            let given = self.rows().into_iter().filter(|(_, row)| row[k] != 0.0); // k is below the length
+            let values: Vec<_> =
+                given.map(|(name, row)| format!("{name}{k} = {}", check::number(row[k]))).collect();
+            if !values.is_empty() {
+                lines.push(values.join(", "));
+            }
+        }
+        lines
+    }
+
+    pub(super) fn read(bytes: &[u8]) -> Result<Self, FileError> {
+        let mut reader = Reader::new(bytes);
+        let mut fourier = Self::default();
+        for row in [&mut fourier.a, &mut fourier.p, &mut fourier.b, &mut fourier.q] {
+            for value in row {
+                *value = reader.real()?;
+            }
+        }
+        fourier.p[0] = 0.0;
+        fourier.q[0] = 0.0;
+        Ok(fourier)
+    }
+
+    /// Coefficients become the nearest 6-byte reals (40 significant bits).
+    pub(super) fn write(&self) -> Result<Vec<u8>, FileError> {
+        let mut writer = Writer::default();
+        for (name, row) in self.rows() {
+            for (k, &value) in row.iter().enumerate() {
+                let problem = |e| FileError::misfit(Format::Gbp, format!("{name}{k} = {e}"));
+                writer.real(value).map_err(problem)?;
+            }
+        }
+        Ok(writer.into_bytes())
+    }
+}

@@ -1,0 +1,136 @@
+//! Documents as JSON, for people and tools.
+//!
+//! An object with the `"format"`, named after the extension of the DOS file, and the named fields of the value
+//! type. Fields that may be missing are left out; unknown ones are an error.
+
+use super::{Document, FileError, Format, Net, NetKind, json_text};
+use serde::de::{self, DeserializeOwned, IntoDeserializer, MapAccess, Visitor};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::marker::PhantomData;
+
+/// The name of the field that tells what the document is.
+const FORMAT: &str = "format";
+
+impl Document {
+    /// The document in a JSON text.
+    ///
+    /// # Errors
+    /// [`FileError::Text`] with the line and the field, for a text that is no JSON, an unknown format, and
+    /// missing, unknown or wrong fields; [`FileError::Invalid`] for values that do not belong together.
+    pub fn from_json(text: &str) -> Result<Self, FileError> {
+        let Head { format } = parse(text)?;
+        let Some(format) = Format::from_extension(&format) else {
+            let known: Vec<_> = Format::ALL.iter().map(|f| f.extension()).collect();
+            let problem = format!("\"{format}\" is none of {}", known.join(", "));
+            return Err(FileError::Text { line: 1, place: FORMAT.to_owned(), problem });
+        };
+        let document = match format {
+            Format::Ip2 | Format::Ic2 => fields(text).map(Self::PlanePoints),
+            Format::Ec2 => fields(text).map(Self::Tangents),
+            Format::Gbp => fields(text).map(Self::Fourier),
+            Format::Ip3 => fields(text).map(Self::SpacePoints),
+            Format::Gyk => fields(text).map(Self::BeadWheel),
+            Format::Csk => fields(text).map(Self::CsangoCube),
+            _ => fields(text).map(|net: Net| {
+                // Every format that is left has a kind of net.
+                Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
+            }),
+        }?;
+        document.check()?;
+        Ok(document)
+    }
+
+    /// The document as JSON text; reading it back gives the same document.
+    ///
+    /// # Errors
+    /// [`FileError::Invalid`] when a number is not finite or the values do not belong together.
+    pub fn to_json(&self) -> Result<String, FileError> {
+        self.check()?;
+        let format = self.format().extension();
+        let compact = match self {
+            Self::PlanePoints(value) => tagged(format, value),
+            Self::Tangents(value) => tagged(format, value),
+            Self::Fourier(value) => tagged(format, value),
+            Self::SpacePoints(value) => tagged(format, value),
+            Self::Net(value) => tagged(format, value),
+            Self::BeadWheel(value) => tagged(format, value),
+            Self::CsangoCube(value) => tagged(format, value),
+        };
+        compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
+    }
+}
+
+/// All that is read at first.
+#[derive(Deserialize)]
+struct Head {
+    format: String,
+}
+
+fn tagged(format: &str, value: &impl Serialize) -> serde_json::Result<String> {
+    #[derive(Serialize)]
+    struct Tagged<'a, T> {
+        format: &'a str,
+        #[serde(flatten)]
+        value: &'a T,
+    }
+    serde_json::to_string(&Tagged { format, value })
+}
+
+fn fields<T: DeserializeOwned>(text: &str) -> Result<T, FileError> {
+    parse(text).map(|Untagged(value)| value)
+}
+
+fn parse<T: DeserializeOwned>(text: &str) -> Result<T, FileError> {
+    let text = text.trim_start_matches('\u{feff}');
+    serde_json::from_str(text).map_err(|error| {
+        let (line, column) = (error.line().max(1), error.column());
+        let message = error.to_string();
+        let problem = message.split_once(" at line ").map_or(message.as_str(), |(problem, _)| problem);
+        FileError::Text { line, place: json_text::place(text, line, column), problem: problem.to_owned() }
+    })
+}
+
+/// A value read from an object whose `"format"` has been taken out. (serde's own tagged enums read through
+/// a buffer and lose the line of an error.)
+struct Untagged<T>(T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Untagged<T> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(ObjectVisitor(PhantomData))
+    }
+}
+
+struct ObjectVisitor<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for ObjectVisitor<T> {
+    type Value = Untagged<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        T::deserialize(de::value::MapAccessDeserializer::new(WithoutFormat(map))).map(Untagged)
+    }
+}
+
+struct WithoutFormat<A>(A);
+
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for WithoutFormat<A> {
+    type Error = A::Error;
+
+    fn next_key_seed<K: de::DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, A::Error> {
+        while let Some(key) = self.0.next_key::<String>()? {
+            if key != FORMAT {
+                return seed.deserialize(key.into_deserializer()).map(Some);
+            }
+            self.0.next_value::<de::IgnoredAny>()?;
+        }
+        Ok(None)
+    }
+
+    fn next_value_seed<V: de::DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, A::Error> {
+        self.0.next_value_seed(seed)
+    }
+}

@@ -1,0 +1,260 @@
+//! Control nets of the surfaces: `.FHC` to `.ZYP`.
+//!
+//! 8 x 5 records of 16 bytes, record 5 k + l: x, y, z (singles) and the place on the screen xr, yr (integers),
+//! whatever the size of the net itself; the records outside it are free.
+
+use super::check::{self, Bounds};
+use super::format::a_file;
+use super::view::View;
+use super::{FileError, Format, NetSettings, settings};
+use crate::pascal::{Reader, Writer};
+use serde::{Deserialize, Serialize};
+
+/// Rows and columns of every file.
+const STORED: [usize; 2] = [8, 5];
+const RECORD: usize = 16;
+
+/// What a net means: the kind of surface, after the file's extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub enum NetKind {
+    /// The matrix of a Hermite patch (3.17): 4 x 4, points and vectors.
+    Fhc,
+    /// Open spline surface: 5 x 5.
+    Fps,
+    /// Heights of a spline surface over a fixed grid: 8 x 5.
+    Fem,
+    /// Bézier patch: 4 x 4.
+    Fpb,
+    /// Open B-spline surface: 5 x 5.
+    Fbs,
+    /// Spline surface with the topology of a sphere: 8 meridians of 5 points, closed in u.
+    Zms,
+    /// B-spline surface with the topology of a sphere.
+    Zmb,
+    /// Spline surface with the topology of a torus: 8 x 5, closed in u and v.
+    Zys,
+    /// B-spline surface with the topology of a torus.
+    Zyb,
+    /// Beta-spline surface with the topology of a torus, as ZY_BETSP saves it.
+    Zyp,
+}
+
+/// Nets of one family may be saved under each other's extensions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Family {
+    Hermite,
+    Open,
+    Heights,
+    Bezier,
+    Sphere,
+    Torus,
+}
+
+/// A control net of a surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Net {
+    /// What the net means. In JSON this is the `"format"`.
+    #[serde(skip, default = "NetKind::any")]
+    pub kind: NetKind,
+    /// Point (k, l) is `points[k][l]`; k counts in the direction of u, l in that of v.
+    pub points: Vec<Vec<[f64; 3]>>,
+    /// How the surface is drawn; only JSON holds this.
+    #[serde(default, skip_serializing_if = "NetSettings::is_empty")]
+    pub settings: NetSettings,
+}
+
+/// Steep and flat views at the start of the surface programs.
+const VIEW: View = View([0.3, -0.7, 0.2]);
+const HERMITE_VIEW: View = View([0.4, -0.7, 0.2]);
+const TORUS_VIEW: View = View([0.3, -0.7, 0.4]);
+
+impl NetKind {
+    /// Every kind.
+    pub const ALL: [Self; 10] = [
+        Self::Fhc,
+        Self::Fps,
+        Self::Fem,
+        Self::Fpb,
+        Self::Fbs,
+        Self::Zms,
+        Self::Zmb,
+        Self::Zys,
+        Self::Zyb,
+        Self::Zyp,
+    ];
+
+    /// The format of its DOS files.
+    #[must_use]
+    pub fn format(self) -> Format {
+        match self {
+            Self::Fhc => Format::Fhc,
+            Self::Fps => Format::Fps,
+            Self::Fem => Format::Fem,
+            Self::Fpb => Format::Fpb,
+            Self::Fbs => Format::Fbs,
+            Self::Zms => Format::Zms,
+            Self::Zmb => Format::Zmb,
+            Self::Zys => Format::Zys,
+            Self::Zyb => Format::Zyb,
+            Self::Zyp => Format::Zyp,
+        }
+    }
+
+    /// The kind that a format holds, if it holds nets.
+    #[must_use]
+    pub fn of(format: Format) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.format() == format)
+    }
+
+    /// Number of points in the directions of u and v.
+    #[must_use]
+    pub fn shape(self) -> [usize; 2] {
+        match self.family() {
+            Family::Hermite | Family::Bezier => [4, 4],
+            Family::Open => [5, 5],
+            Family::Heights | Family::Sphere | Family::Torus => [8, 5],
+        }
+    }
+
+    /// Whether a net of this kind may be saved as a file of the other.
+    #[must_use]
+    pub fn goes_into(self, other: Self) -> bool {
+        self.family() == other.family()
+    }
+
+    fn family(self) -> Family {
+        match self {
+            Self::Fhc => Family::Hermite,
+            Self::Fpb => Family::Bezier,
+            Self::Fem => Family::Heights,
+            Self::Fps | Self::Fbs => Family::Open,
+            Self::Zms | Self::Zmb => Family::Sphere,
+            Self::Zys | Self::Zyb | Self::Zyp => Family::Torus,
+        }
+    }
+
+    /// The screen place that the originals store for a point: in the first view, and zero for what they
+    /// never draw as a point.
+    fn screen(self, k: usize, l: usize, point: [f64; 3]) -> [i16; 2] {
+        match self {
+            Self::Fhc if k < 2 && l < 2 => HERMITE_VIEW.screen(point),
+            Self::Fhc => [0; 2],
+            Self::Zyp => TORUS_VIEW.screen(point),
+            _ => VIEW.screen(point),
+        }
+    }
+
+    /// A kind to be replaced while JSON is being read.
+    fn any() -> Self {
+        Self::Fps
+    }
+}
+
+impl Net {
+    /// A net without settings.
+    #[must_use]
+    pub fn new(kind: NetKind, points: Vec<Vec<[f64; 3]>>) -> Self {
+        Self { kind, points, settings: NetSettings::default() }
+    }
+
+    /// # Errors
+    /// [`FileError::Invalid`] when a number is not finite or the rows are not equally long.
+    pub(super) fn check(&self) -> Result<(), FileError> {
+        let columns = self.points.first().map_or(0, Vec::len);
+        for (k, row) in self.points.iter().enumerate() {
+            check::finite(&format!("row {k}, point"), row)?;
+            if row.len() != columns {
+                return Err(FileError::Invalid(format!(
+                    "row {k} of the net has {} points and row 0 has {columns}; all must have the same",
+                    row.len()
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn describe(&self) -> Vec<String> {
+        let columns = self.points.first().map_or(0, Vec::len);
+        let size = format!("{} x {columns} points", self.points.len());
+        let mut lines = vec![format!("{}, {size}", self.kind.format().english())];
+        lines.extend(Bounds::of(self.points.iter().flatten()).map(|bounds| bounds.describe()));
+        for (k, row) in self.points.iter().enumerate() {
+            for (l, point) in row.iter().enumerate() {
+                lines.push(format!("point {k}, {l}: {}", point.map(check::number).join(", ")));
+            }
+        }
+        lines.extend(settings::describe(&self.settings));
+        lines
+    }
+
+    pub(super) fn read(kind: NetKind, bytes: &[u8]) -> Result<Self, FileError> {
+        let mut reader = Reader::new(bytes);
+        let [rows, columns] = kind.shape();
+        let mut points = Vec::with_capacity(rows);
+        for k in 0..rows {
+            let mut row = Vec::with_capacity(columns);
+            for l in 0..STORED[1] {
+                if l < columns {
+                    row.push(read_point(&mut reader, k, l)?);
+                    reader.skip(4)?;
+                } else {
+                    reader.skip(RECORD)?;
+                }
+            }
+            points.push(row);
+        }
+        Ok(Self::new(kind, points))
+    }
+
+    /// Coordinates become the nearest singles.
+    pub(super) fn write(&self, kind: NetKind) -> Result<Vec<u8>, FileError> {
+        let format = kind.format();
+        if !self.kind.goes_into(kind) {
+            let problem = format!("the net is that of {}", a_file(self.kind.format()));
+            return Err(FileError::misfit(format, problem));
+        }
+        check::no_settings(format, &self.settings)?;
+        let [rows, columns] = kind.shape();
+        let found = [self.points.len(), self.points.first().map_or(0, Vec::len)];
+        if found != [rows, columns] {
+            let problem = format!("{} x {} points; it holds {rows} x {columns}", found[0], found[1]);
+            return Err(FileError::misfit(format, problem));
+        }
+        let mut writer = Writer::default();
+        for (k, row) in self.points.iter().enumerate() {
+            for (l, &point) in row.iter().enumerate() {
+                for (value, axis) in point.into_iter().zip(["x", "y", "z"]) {
+                    writer.single(single(value).ok_or_else(|| {
+                        let problem = format!("point {k}, {l}: {axis} = {value} is too large for a single");
+                        FileError::misfit(format, problem)
+                    })?);
+                }
+                kind.screen(k, l, point).into_iter().for_each(|v| writer.i16(v));
+            }
+            writer.zeros_to(RECORD * STORED[1] * (k + 1));
+        }
+        writer.zeros_to(format.size());
+        Ok(writer.into_bytes())
+    }
+}
+
+fn read_point(reader: &mut Reader, k: usize, l: usize) -> Result<[f64; 3], FileError> {
+    let mut point = [0.0; 3];
+    for (value, axis) in point.iter_mut().zip(["x", "y", "z"]) {
+        let offset = reader.offset();
+        *value = f64::from(reader.single()?);
+        if !value.is_finite() {
+            let problem = format!("{axis} is {value}; it must be a finite number");
+            return Err(FileError::value(format!("point {k}, {l}"), offset, problem));
+        }
+    }
+    Ok(point)
+}
+
+/// The nearest single, if it is finite.
+fn single(value: f64) -> Option<f32> {
+    let nearest = value as f32;
+    nearest.is_finite().then_some(nearest)
+}

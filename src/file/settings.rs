@@ -1,0 +1,103 @@
+//! How a document is to be drawn: what the DOS programs ask at every start and JSON remembers.
+
+use serde::{Deserialize, Serialize};
+
+/// A method of interpolation or approximation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Method {
+    /// Coons-Hermite interpolation with tangents from the neighbours (2.13).
+    Coons,
+    /// Bézier approximation of all points (2.47).
+    Bezier,
+    /// Cubic spline interpolation (2.28).
+    Spline,
+    /// Quadratic B-spline (2.57).
+    #[serde(rename = "bspline2")]
+    BSpline2,
+    /// Cubic B-spline (2.58).
+    #[serde(rename = "bspline3")]
+    BSpline3,
+    /// Beta-spline (2.63).
+    Beta,
+    /// Spline interpolation with local control (3.61).
+    Local,
+    /// Hermite interpolation with given tangents (2.12).
+    Hermite,
+    /// Fourier series (2.8).
+    Fourier,
+}
+
+/// How a curve is drawn; every part may be missing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CurveSettings {
+    /// The method.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub method: Option<Method>,
+    /// Whether the last point is joined to the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub closed: Option<bool>,
+    /// Tangent coefficient of Coons-Hermite and local splines.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub k0: Option<f64>,
+    /// Bias of a beta-spline.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bias: Option<f64>,
+    /// Tension of a beta-spline (half of Barsky's).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension: Option<f64>,
+}
+
+/// How a surface is drawn; every part may be missing. Pairs are for the directions u and v.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NetSettings {
+    /// The method.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub method: Option<Method>,
+    /// Tangent coefficients of local splines.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub k0: Option<[f64; 2]>,
+    /// Biases of a beta-spline.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bias: Option<[f64; 2]>,
+    /// Tensions of a beta-spline (half of Barsky's).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension: Option<[f64; 2]>,
+}
+
+impl CurveSettings {
+    /// Whether nothing is set; an empty object is not written.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl NetSettings {
+    /// Whether nothing is set; an empty object is not written.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// The names of the settings that are given, as JSON calls them.
+pub(super) fn given(settings: &impl Serialize) -> Vec<String> {
+    // Plain structs of numbers and names always become a map; an error would only mean "nothing known".
+    match serde_json::to_value(settings) {
+        Ok(serde_json::Value::Object(map)) => map.keys().cloned().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// One line for each given setting: `method: "beta"`.
+pub(super) fn describe(settings: &impl Serialize) -> Vec<String> {
+    match serde_json::to_value(settings) {
+        Ok(serde_json::Value::Object(map)) => {
+            map.iter().map(|(name, value)| format!("{name}: {value}")).collect()
+        }
+        _ => Vec::new(),
+    }
+}
