@@ -1,1 +1,59 @@
-//! Room under construction.
+//! Smooth curves by control points: interpolation, B-splines, beta-splines and Bézier curves as
+//! rows of cubic Bézier arcs, with sampling, derivatives, lengths and boxes written once for arcs.
+//!
+//! The room holds mathematics only: no screen, no files, no state. Every piecewise method of the
+//! book (chapters 2.3 and 3) is linear in the control points and cubic at most, so it is a set of
+//! [`Weights`] fixed by the method, the ends and the number of points; weights times points are
+//! arcs. The Bézier curve by all points is one arc of any degree. Nothing here panics or answers
+//! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
+//!
+//! A closed spline through four points, and the middle of its first arc:
+//!
+//! ```
+//! use grafika::geometry::{Closure, Curve, Method};
+//!
+//! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+//! let curve = Curve::through(Method::Spline, Closure::Closed, &square)?;
+//! assert_eq!(curve.spans(), 4);
+//! let [x, y] = curve.eval(0, 0.5).expect("span 0 exists");
+//! assert!((x - 2.0).abs() < 1e-12 && (y + 0.75).abs() < 1e-12);
+//! # Ok::<(), grafika::geometry::GeometryError>(())
+//! ```
+//!
+//! Weights are computed once and serve every later set of as many points, in any dimension:
+//!
+//! ```
+//! use grafika::geometry::{Closure, Method, Weights};
+//!
+//! let weights = Weights::new(Method::BSpline3, Closure::Open, 4)?;
+//! assert_eq!((weights.points(), weights.spans()), (4, 5));
+//! let arcs = weights.arcs(&[[0.0, 0.0, 0.0], [6.0, 0.0, 0.0], [6.0, 6.0, 0.0], [6.0, 6.0, 6.0]])?;
+//! assert_eq!(arcs[0].p[0], [0.0, 0.0, 0.0]);
+//! assert_eq!(arcs[4].eval(1.0), [6.0, 6.0, 6.0]);
+//! # Ok::<(), grafika::geometry::GeometryError>(())
+//! ```
+
+mod arclen;
+mod bezier;
+mod bounds;
+mod cubic;
+mod curve;
+mod cyclic;
+mod error;
+mod hermite;
+mod method;
+mod point;
+mod spline;
+mod tridiagonal;
+mod weights;
+mod window;
+
+pub use bezier::Bezier;
+pub use bounds::BoundingBox;
+pub use cubic::CubicBezier;
+pub use curve::{Curve, MAX_SAMPLES, Sample};
+pub use error::GeometryError;
+pub use hermite::{automatic_tangents, hermite_arcs};
+pub use method::{Closure, Ends, Method};
+pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
+pub use weights::Weights;

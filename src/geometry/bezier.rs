@@ -1,0 +1,243 @@
+//! The Bézier curve by all control points: one arc of any degree (2.47)-(2.48).
+
+use super::arclen::integrate;
+use super::method::Closure;
+use super::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference, within_limit};
+use super::{BoundingBox, CubicBezier, GeometryError, Point};
+
+/// A Bézier curve of degree `points - 1`, at least 1, with checked coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bezier<const D: usize> {
+    points: Vec<Point<D>>,
+}
+
+/// Smallest tolerance of [`Bezier::to_cubics`], by the largest coordinate.
+const LEAST_TOLERANCE: f64 = 1e-12;
+
+/// How often a piece is halved at most. Its control points are then equal but for rounding, so
+/// searches end long before.
+const DEPTH: u32 = 64;
+
+impl<const D: usize> Bezier<D> {
+    /// The curve by these control points. A closed one returns to its first point, which makes
+    /// its degree the number of points; it has a corner there unless the points avoid it.
+    ///
+    /// # Errors
+    /// Fewer than 2 points (3 when closed), too many, or a bad coordinate.
+    pub fn new(closure: Closure, points: &[Point<D>]) -> Result<Self, GeometryError> {
+        let needed = match closure {
+            Closure::Open => 2,
+            Closure::Closed => 3,
+        };
+        check_count(points.len(), needed)?;
+        check_points(points)?;
+        let seam = match closure {
+            Closure::Open => None,
+            Closure::Closed => points.first(),
+        };
+        Ok(Self { points: points.iter().chain(seam).copied().collect() })
+    }
+
+    /// The control points; those of a closed curve end with the first one again.
+    #[must_use]
+    pub fn points(&self) -> &[Point<D>] {
+        &self.points
+    }
+
+    /// The polynomial degree, at least 1.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.points.len().saturating_sub(1)
+    }
+
+    /// The point at `u`, which is clipped to [0, 1]; exactly the end points at 0 and 1. In linear
+    /// time by convex combinations only, so it is as stable as de Casteljau's algorithm.
+    #[must_use]
+    pub fn eval(&self, u: f64) -> Point<D> {
+        bernstein_sum(self.points.iter().copied(), u)
+    }
+
+    /// The derivative by `u` at `u` in [0, 1].
+    #[must_use]
+    pub fn derivative(&self, u: f64) -> Point<D> {
+        let degree = self.degree() as f64;
+        let legs = self.points.windows(2).map(|p| scaled_difference(degree, p[0], p[1]));
+        bernstein_sum(legs, u)
+    }
+
+    /// The second derivative by `u` at `u` in [0, 1].
+    #[must_use]
+    pub fn second_derivative(&self, u: f64) -> Point<D> {
+        let degree = self.degree() as f64;
+        let factor = degree * (degree - 1.0);
+        let bend =
+            |p: &[Point<D>]| std::array::from_fn(|d| factor * ((p[0][d] - p[1][d]) + (p[2][d] - p[1][d])));
+        bernstein_sum(self.points.windows(3).map(bend), u)
+    }
+
+    /// The two parts before and after `u` (clipped to [0, 1]) by de Casteljau's algorithm.
+    #[must_use]
+    pub fn split(&self, u: f64) -> [Self; 2] {
+        let [left, right] = split(&self.points, u.clamp(0.0, 1.0));
+        [Self { points: left }, Self { points: right }]
+    }
+
+    /// Cubic arcs that follow the curve at every parameter within `tolerance`, equal points and
+    /// tangents at the joints included. The bound holds for sure: the difference of a piece and
+    /// its arc is again a Bézier curve, which stays within its control points. Degrees up to 3 are
+    /// one exact arc.
+    ///
+    /// # Errors
+    /// `tolerance` not positive or NaN, or below 1e-12 of the largest coordinate.
+    pub fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+        if tolerance.is_nan() || tolerance <= 0.0 {
+            let wanted = "a positive number";
+            return Err(GeometryError::Parameter { name: "tolerance", value: tolerance, wanted });
+        }
+        let largest = self.points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let least = LEAST_TOLERANCE * largest;
+        if self.degree() > 3 && tolerance < least {
+            return Err(GeometryError::ToleranceTooSmall { value: tolerance, least });
+        }
+        let mut arcs = Vec::new();
+        let mut waiting = vec![(self.points.clone(), DEPTH)];
+        while let Some((piece, depth)) = waiting.pop() {
+            let arc = cubic_like(&piece);
+            if depth == 0 || deviation(&piece, &arc) <= tolerance {
+                arcs.push(arc);
+            } else {
+                let [left, right] = split(&piece, 0.5);
+                waiting.push((right, depth - 1));
+                waiting.push((left, depth - 1));
+            }
+        }
+        match arcs.iter().position(|arc| !arc.p.iter().all(within_limit)) {
+            None => Ok(arcs),
+            Some(span) => Err(GeometryError::Overflow { span }),
+        }
+    }
+
+    /// A box round the curve, never too small and too large by no more than 1e-13 of the box of
+    /// its control points.
+    #[must_use]
+    pub fn bounding_box(&self) -> BoundingBox<D> {
+        let coefficients = |d: usize, sign: f64| self.points.iter().map(|p| [sign * p[d]]).collect();
+        BoundingBox {
+            min: std::array::from_fn(|d| -largest_value(coefficients(d, -1.0))),
+            max: std::array::from_fn(|d| largest_value(coefficients(d, 1.0))),
+        }
+    }
+
+    /// The curve's length with an absolute error of about `accuracy`, which is not taken smaller
+    /// than 1e-14 of the control polygon (so 0 and NaN ask for the best possible).
+    #[must_use]
+    pub fn length(&self, accuracy: f64) -> f64 {
+        let legs = self.points.windows(2).map(|p| norm(scaled_difference(1.0, p[0], p[1])));
+        let polygon: f64 = legs.sum();
+        integrate(&|u| norm(self.derivative(u)), [0.0, 1.0], accuracy.max(1e-14 * polygon))
+    }
+}
+
+/// The Bernstein sum of `points` at `u` in [0, 1] (Woźny and Chudy, 2020): after point `k` the
+/// value is the weighted mean of the points up to `k`, and `share` the part of the newest in it.
+/// The origin when there are no points.
+fn bernstein_sum<const D: usize>(points: impl ExactSizeIterator<Item = Point<D>>, u: f64) -> Point<D> {
+    let u = u.clamp(0.0, 1.0);
+    let degree = points.len().saturating_sub(1);
+    let mut share = 1.0;
+    let mut mean = [0.0; D];
+    for (k, point) in points.enumerate() {
+        if k > 0 {
+            let newest = (degree - k + 1) as f64 * u * share;
+            // Never 0 / 0: at u = 1 the share stays 1, below 1 the first term is positive.
+            share = newest / (k as f64 * (1.0 - u) + newest);
+        }
+        mean = lerp(mean, point, share);
+    }
+    mean
+}
+
+/// Control points before and after `u`. Each round of de Casteljau's algorithm shortens the list
+/// by one; its first points are those of the left part, and what stays are those of the right.
+fn split<const D: usize>(points: &[Point<D>], u: f64) -> [Vec<Point<D>>; 2] {
+    let mut right = points.to_vec();
+    let mut left = Vec::with_capacity(points.len());
+    for finished in 0..points.len() {
+        left.extend(right.first());
+        let still = points.len() - finished;
+        // right[..still] is the current round; its last point belongs to the right part.
+        for i in 1..still {
+            right[i - 1] = lerp(right[i - 1], right[i], u);
+        }
+    }
+    [left, right]
+}
+
+/// The cubic with the end points and end tangents of a Bézier piece; the piece itself when its
+/// degree is 3 or less.
+fn cubic_like<const D: usize>(piece: &[Point<D>]) -> CubicBezier<D> {
+    match *piece {
+        [] => CubicBezier { p: [[0.0; D]; 4] },
+        [a] => CubicBezier { p: [a; 4] },
+        [a, b] => CubicBezier { p: [a, lerp(a, b, 1.0 / 3.0), lerp(a, b, 2.0 / 3.0), b] },
+        [a, b, c] => CubicBezier { p: [a, lerp(a, b, 2.0 / 3.0), lerp(c, b, 2.0 / 3.0), c] },
+        [a, b, c, d] => CubicBezier { p: [a, b, c, d] },
+        [a, b, .., c, d] => {
+            let third = (piece.len() - 1) as f64 / 3.0;
+            let from = scaled_difference(third, a, b);
+            CubicBezier {
+                p: [a, add_scaled(a, 1.0, from), add_scaled(d, third, scaled_difference(1.0, d, c)), d],
+            }
+        }
+    }
+}
+
+/// A bound of the distance at equal parameters between a piece and its cubic: the largest
+/// distance of control points once the cubic is raised to the degree of the piece.
+fn deviation<const D: usize>(piece: &[Point<D>], cubic: &CubicBezier<D>) -> f64 {
+    let degree = piece.len().saturating_sub(1);
+    if degree <= 3 {
+        return 0.0;
+    }
+    let distance = |(i, p): (usize, &Point<D>)| norm(scaled_difference(1.0, raised(cubic, i, degree), *p));
+    piece.iter().enumerate().map(distance).fold(0.0, f64::max)
+}
+
+/// Control point `i` of a cubic raised to `degree`: the weight of cubic point `j` is
+/// C(i, j) C(degree - i, 3 - j) / C(degree, 3).
+fn raised<const D: usize>(cubic: &CubicBezier<D>, i: usize, degree: usize) -> Point<D> {
+    let choose = |m: usize| {
+        let m = m as f64;
+        [1.0, m, m * (m - 1.0) / 2.0, m * (m - 1.0) * (m - 2.0) / 6.0]
+    };
+    let (before, after, [.., all]) = (choose(i), choose(degree - i), choose(degree));
+    let mut sum = [0.0; D];
+    for (j, &p) in cubic.p.iter().enumerate() {
+        sum = add_scaled(sum, before[j] * after[3 - j] / all, p);
+    }
+    sum
+}
+
+/// An upper bound of a polynomial on [0, 1] by its Bernstein coefficients, too large by no more
+/// than 1e-13 of their range: pieces that cannot rise above a value already reached are dropped.
+fn largest_value(coefficients: Vec<Point<1>>) -> f64 {
+    let top = |piece: &[Point<1>]| piece.iter().fold(f64::NEG_INFINITY, |m, [x]| m.max(*x));
+    let bottom = coefficients.iter().fold(f64::INFINITY, |m, [x]| m.min(*x));
+    let slack = 1e-13 * (top(&coefficients) - bottom);
+    let ends = [coefficients.first(), coefficients.last()];
+    let mut reached = ends.into_iter().flatten().fold(f64::NEG_INFINITY, |m, [x]| m.max(*x));
+    let mut bound = reached;
+    let mut waiting = vec![(coefficients, DEPTH)];
+    while let Some((piece, depth)) = waiting.pop() {
+        let piece_top = top(&piece);
+        if depth == 0 || piece_top <= reached + slack {
+            bound = bound.max(piece_top);
+            continue;
+        }
+        let [left, right] = split(&piece, 0.5);
+        reached = right.first().map_or(reached, |[x]| reached.max(*x));
+        waiting.push((left, depth - 1));
+        waiting.push((right, depth - 1));
+    }
+    bound.max(reached)
+}

@@ -1,0 +1,148 @@
+//! The cubic Bézier arc: what every piecewise curve is made of.
+
+use super::arclen::integrate;
+use super::point::{lerp, norm, scaled_difference};
+use super::{BoundingBox, Point};
+
+/// A cubic Bézier arc (2.49), parameter `u` from 0 at `p[0]` to 1 at `p[3]`.
+///
+/// Arcs made by this room keep within [`COORDINATE_LIMIT`](super::COORDINATE_LIMIT), so that
+/// everything computed from them is finite for `u` in [0, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CubicBezier<const D: usize> {
+    /// The Bézier points.
+    pub p: [Point<D>; 4],
+}
+
+impl<const D: usize> CubicBezier<D> {
+    /// The point at `u`; exactly `p[0]` at 0 and `p[3]` at 1.
+    #[must_use]
+    pub fn eval(&self, u: f64) -> Point<D> {
+        let w = 1.0 - u;
+        let [f0, f1, f2, f3] = [w * w * w, 3.0 * w * w * u, 3.0 * w * u * u, u * u * u];
+        let [a, b, c, d] = &self.p;
+        std::array::from_fn(|i| f0 * a[i] + f1 * b[i] + f2 * c[i] + f3 * d[i])
+    }
+
+    /// The derivative by `u` at `u`.
+    #[must_use]
+    pub fn derivative(&self, u: f64) -> Point<D> {
+        let w = 1.0 - u;
+        let [a, b, c] = self.hodograph();
+        std::array::from_fn(|i| w * w * a[i] + 2.0 * w * u * b[i] + u * u * c[i])
+    }
+
+    /// The second derivative by `u` at `u`.
+    #[must_use]
+    pub fn second_derivative(&self, u: f64) -> Point<D> {
+        let [a, b, c] = self.hodograph();
+        lerp(scaled_difference(2.0, a, b), scaled_difference(2.0, b, c), u)
+    }
+
+    /// The third derivative by `u`, the same everywhere.
+    #[must_use]
+    pub fn third_derivative(&self) -> Point<D> {
+        let [a, b, c] = self.hodograph();
+        scaled_difference(2.0, scaled_difference(1.0, a, b), scaled_difference(1.0, b, c))
+    }
+
+    /// Fills `out` with points at equal steps of `u`: the first is `p[0]`, the last `p[3]`, both
+    /// exactly; a single one is `p[0]`. Others agree with [`CubicBezier::eval`] to 1e-14 of the
+    /// largest coordinate. This is the fast way to many points.
+    pub fn sample_into(&self, out: &mut [Point<D>]) {
+        let steps = out.len().saturating_sub(1);
+        let scale = 1.0 / steps.max(1) as f64;
+        let [c0, c1, c2, c3] = self.powers();
+        for (j, point) in out.iter_mut().enumerate() {
+            let u = j as f64 * scale;
+            *point = std::array::from_fn(|i| ((c3[i] * u + c2[i]) * u + c1[i]) * u + c0[i]);
+        }
+        if let [_, .., last] = out {
+            *last = self.p[3];
+        }
+    }
+
+    /// The two halves of the arc, before and after `u`.
+    #[must_use]
+    pub fn split(&self, u: f64) -> [Self; 2] {
+        let [a, b, c, d] = self.p;
+        let (ab, bc, cd) = (lerp(a, b, u), lerp(b, c, u), lerp(c, d, u));
+        let (abc, bcd) = (lerp(ab, bc, u), lerp(bc, cd, u));
+        let middle = lerp(abc, bcd, u);
+        [Self { p: [a, ab, abc, middle] }, Self { p: [middle, bcd, cd, d] }]
+    }
+
+    /// The piece from `u = from` to `u = to`; reversed when `from > to`.
+    #[must_use]
+    pub fn subsegment(&self, from: f64, to: f64) -> Self {
+        let p = [[from, from, from], [from, from, to], [from, to, to], [to, to, to]];
+        Self { p: p.map(|parameters| self.blossom(parameters)) }
+    }
+
+    /// The same arc run through backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let [a, b, c, d] = self.p;
+        Self { p: [d, c, b, a] }
+    }
+
+    /// The smallest box round the arc, from the roots of its derivative; exact but for rounding
+    /// in the extreme points.
+    #[must_use]
+    pub fn bounding_box(&self) -> BoundingBox<D> {
+        let [start, .., end] = self.p;
+        let mut bounds = BoundingBox::of_point(start).union(BoundingBox::of_point(end));
+        let [a, b, c] = self.hodograph();
+        for d in 0..D {
+            for u in inner_roots([a[d], b[d], c[d]]) {
+                let x = self.eval(u)[d];
+                bounds.min[d] = bounds.min[d].min(x);
+                bounds.max[d] = bounds.max[d].max(x);
+            }
+        }
+        bounds
+    }
+
+    /// The arc's length with an absolute error of about `accuracy`, which is not taken smaller
+    /// than 1e-14 of the control polygon (so 0 and NaN ask for the best possible).
+    #[must_use]
+    pub fn length(&self, accuracy: f64) -> f64 {
+        let polygon: f64 = self.p.windows(2).map(|leg| norm(scaled_difference(1.0, leg[0], leg[1]))).sum();
+        integrate(&|u| norm(self.derivative(u)), [0.0, 1.0], accuracy.max(1e-14 * polygon))
+    }
+
+    /// Bernstein coefficients of the derivative.
+    fn hodograph(&self) -> [Point<D>; 3] {
+        let [a, b, c, d] = self.p;
+        [scaled_difference(3.0, a, b), scaled_difference(3.0, b, c), scaled_difference(3.0, c, d)]
+    }
+
+    /// Coefficients of 1, u, u^2, u^3.
+    fn powers(&self) -> [Point<D>; 4] {
+        let [a, b, c, d] = self.p;
+        let second = std::array::from_fn(|i| 3.0 * ((a[i] - b[i]) + (c[i] - b[i])));
+        let third = std::array::from_fn(|i| (d[i] - a[i]) + 3.0 * (b[i] - c[i]));
+        [a, scaled_difference(3.0, a, b), second, third]
+    }
+
+    /// De Casteljau's scheme with another parameter in each round.
+    fn blossom(&self, [u, v, w]: [f64; 3]) -> Point<D> {
+        let [a, b, c, d] = self.p;
+        let (ab, bc, cd) = (lerp(a, b, u), lerp(b, c, u), lerp(c, d, u));
+        lerp(lerp(ab, bc, v), lerp(bc, cd, v), w)
+    }
+}
+
+/// Roots strictly between 0 and 1 of the quadratic with these Bernstein coefficients.
+fn inner_roots(coefficients: [f64; 3]) -> impl Iterator<Item = f64> {
+    // Scaled, so that products neither overflow nor vanish.
+    let largest = coefficients.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let [d0, d1, d2] = coefficients.map(|x| if largest > 0.0 { x / largest } else { 0.0 });
+    // d0 + 2 linear u + square u^2. A negative discriminant is taken for 0: the parameter found is
+    // then no root, but its point is on the arc, so no box suffers.
+    let (linear, square) = (d1 - d0, (d0 - d1) + (d2 - d1));
+    let root = (d1 * d1 - d0 * d2).max(0.0).sqrt();
+    // Without cancellation; the other root comes from the product of both.
+    let q = -(linear + root.copysign(linear));
+    [q / square, d0 / q].into_iter().filter(|u| *u > 0.0 && *u < 1.0)
+}

@@ -1,0 +1,149 @@
+//! What can be wrong with points and parameters, in sentences.
+
+use std::fmt;
+
+/// Why a curve or its weights cannot be computed. Points are counted from 1, as users see them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GeometryError {
+    /// The method needs more control points.
+    TooFewPoints {
+        /// How many were given.
+        given: usize,
+        /// How many are needed at least.
+        needed: usize,
+    },
+    /// More control points than [`MAX_POINTS`](super::MAX_POINTS).
+    TooManyPoints {
+        /// How many were given.
+        given: usize,
+        /// How many are allowed at most.
+        most: usize,
+    },
+    /// Weights or tangents made for another number of points.
+    WrongCount {
+        /// How many points (or tangents) were given.
+        given: usize,
+        /// How many belong there.
+        needed: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    NotFinite {
+        /// The point's number, from 1.
+        number: usize,
+    },
+    /// A coordinate is larger than [`COORDINATE_LIMIT`](super::COORDINATE_LIMIT).
+    TooLarge {
+        /// The point's number, from 1.
+        number: usize,
+        /// The coordinate.
+        value: f64,
+    },
+    /// The curve leaves the range of [`COORDINATE_LIMIT`](super::COORDINATE_LIMIT).
+    Overflow {
+        /// The first span that does, from 0.
+        span: usize,
+    },
+    /// A parameter is not finite or outside its range.
+    Parameter {
+        /// The parameter's name: `k0`, `bias`, `tension`, `tolerance`, …
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// What would be right, as the end of a sentence.
+        wanted: &'static str,
+    },
+    /// The tolerance is smaller than double precision can keep for this curve.
+    ToleranceTooSmall {
+        /// What was given.
+        value: f64,
+        /// The smallest tolerance that can be kept.
+        least: f64,
+    },
+    /// The tension makes the beta-spline's delta vanish (equation 2.67).
+    CriticalTension {
+        /// The bias.
+        bias: f64,
+        /// The tension given.
+        tension: f64,
+        /// The critical tension `-(bias^3 + 2 bias^2 + 2 bias + 1)` of this bias.
+        critical: f64,
+    },
+    /// The method is not made of cubic spans, so it has no weights.
+    NotPiecewise {
+        /// The method's name.
+        method: &'static str,
+    },
+    /// The method does not know this end rule.
+    EndsNotOffered {
+        /// The method's name.
+        method: &'static str,
+    },
+    /// More samples than [`MAX_SAMPLES`](super::MAX_SAMPLES), or none.
+    Samples {
+        /// Steps asked for per span.
+        per_span: usize,
+        /// The largest number of steps for this curve.
+        most: usize,
+    },
+}
+
+impl fmt::Display for GeometryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::TooFewPoints { given, needed } => {
+                write!(f, "too few control points: {given} given, at least {needed} needed")
+            }
+            Self::TooManyPoints { given, most } => {
+                write!(f, "too many control points: {given} given, at most {most} allowed")
+            }
+            Self::WrongCount { given, needed } => {
+                write!(f, "wrong number of points: {given} given, exactly {needed} needed")
+            }
+            Self::NotFinite { number } => {
+                write!(f, "point {number} has a coordinate that is not a finite number")
+            }
+            Self::TooLarge { number, value } => write!(
+                f,
+                "point {number} has the coordinate {value:e}, larger than {:e}",
+                super::COORDINATE_LIMIT
+            ),
+            Self::Overflow { span } => {
+                write!(f, "span {span} of the curve leaves the range of {:e}", super::COORDINATE_LIMIT)
+            }
+            Self::Parameter { name, value, wanted } => write!(f, "{name} is {value}, but must be {wanted}"),
+            Self::ToleranceTooSmall { value, least } => {
+                write!(f, "tolerance is {value:e}, but doubles can keep no less than {least:e} here")
+            }
+            Self::CriticalTension { bias, tension, critical } => write!(
+                f,
+                "tension {tension} is the critical one for bias {bias}: the beta-spline does not exist at {critical}"
+            ),
+            Self::NotPiecewise { method } => {
+                write!(f, "method {method} is one arc of high degree and has no cubic spans")
+            }
+            Self::EndsNotOffered { method } => {
+                write!(f, "method {method} has only its own open ends and the closed curve")
+            }
+            Self::Samples { per_span, most } => {
+                write!(f, "{per_span} steps per span asked for, but 1 to {most} can be given")
+            }
+        }
+    }
+}
+
+impl std::error::Error for GeometryError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_say_what_was_given_and_what_is_right() {
+        let text = GeometryError::TooFewPoints { given: 2, needed: 3 }.to_string();
+        assert_eq!(text, "too few control points: 2 given, at least 3 needed");
+        let text = GeometryError::CriticalTension { bias: 1.0, tension: -6.0, critical: -6.0 }.to_string();
+        assert_eq!(text, "tension -6 is the critical one for bias 1: the beta-spline does not exist at -6");
+        let text = GeometryError::TooLarge { number: 7, value: 1e200 }.to_string();
+        assert_eq!(text, "point 7 has the coordinate 1e200, larger than 1e150");
+    }
+}

@@ -1,0 +1,99 @@
+//! Points of the plane and of space as plain arrays, and the checks every list of them passes.
+
+use super::GeometryError;
+
+/// A point or vector with `D` coordinates (2 in the plane, 3 in space), in the caller's units.
+pub type Point<const D: usize> = [f64; D];
+
+/// The largest coordinate accepted and produced. Products of two derivatives of such curves are
+/// still finite doubles, so nothing computed from an accepted curve overflows.
+pub const COORDINATE_LIMIT: f64 = 1e150;
+
+/// The largest number of control points of one curve.
+pub const MAX_POINTS: usize = 1 << 20;
+
+/// `a` at `u = 0`, `b` at `u = 1`, both exactly.
+pub(super) fn lerp<const D: usize>(a: Point<D>, b: Point<D>, u: f64) -> Point<D> {
+    std::array::from_fn(|d| (1.0 - u) * a[d] + u * b[d])
+}
+
+/// `a + k * b`.
+pub(super) fn add_scaled<const D: usize>(a: Point<D>, k: f64, b: Point<D>) -> Point<D> {
+    std::array::from_fn(|d| a[d] + k * b[d])
+}
+
+/// `k * (b - a)`.
+pub(super) fn scaled_difference<const D: usize>(k: f64, a: Point<D>, b: Point<D>) -> Point<D> {
+    std::array::from_fn(|d| k * (b[d] - a[d]))
+}
+
+/// Euclidean length of a vector, without premature overflow or underflow.
+pub(super) fn norm<const D: usize>(v: Point<D>) -> f64 {
+    let largest = v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    if largest == 0.0 || !largest.is_finite() {
+        return largest;
+    }
+    largest * v.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
+}
+
+/// Whether every coordinate is a number within [`COORDINATE_LIMIT`] (NaN is not).
+pub(super) fn within_limit<const D: usize>(p: &Point<D>) -> bool {
+    p.iter().all(|x| x.abs() <= COORDINATE_LIMIT)
+}
+
+/// The checks on every list of control points.
+///
+/// # Errors
+/// [`GeometryError::NotFinite`] and [`GeometryError::TooLarge`] name the first bad point.
+pub(super) fn check_points<const D: usize>(points: &[Point<D>]) -> Result<(), GeometryError> {
+    let Some(index) = points.iter().position(|p| !within_limit(p)) else {
+        return Ok(());
+    };
+    let number = index + 1;
+    let bad = points[index].iter().copied().find(|x| x.abs() > COORDINATE_LIMIT);
+    Err(match bad {
+        Some(value) if value.is_finite() => GeometryError::TooLarge { number, value },
+        _ => GeometryError::NotFinite { number },
+    })
+}
+
+/// The check on the number of control points.
+///
+/// # Errors
+/// [`GeometryError::TooFewPoints`] or [`GeometryError::TooManyPoints`].
+pub(super) fn check_count(given: usize, needed: usize) -> Result<(), GeometryError> {
+    if given < needed {
+        return Err(GeometryError::TooFewPoints { given, needed });
+    }
+    if given > MAX_POINTS {
+        return Err(GeometryError::TooManyPoints { given, most: MAX_POINTS });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bad_points_are_named_from_one() {
+        let good = [1.0, 2.0];
+        assert_eq!(check_points(&[good, good]), Ok(()));
+        assert_eq!(check_points(&[good, [f64::NAN, 0.0]]), Err(GeometryError::NotFinite { number: 2 }));
+        assert_eq!(check_points(&[[0.0, f64::INFINITY]]), Err(GeometryError::NotFinite { number: 1 }));
+        assert_eq!(
+            check_points(&[good, [-1e200, 0.0]]),
+            Err(GeometryError::TooLarge { number: 2, value: -1e200 })
+        );
+    }
+
+    #[test]
+    fn lerp_is_exact_at_both_ends_and_norm_does_not_overflow() {
+        let (a, b) = ([0.1, 1e17], [0.7, -3.0]);
+        assert_eq!(lerp(a, b, 0.0), a);
+        assert_eq!(lerp(a, b, 1.0), b);
+        assert_eq!(norm([3e200, 4e200]), 5e200);
+        assert_eq!(norm([3e-200, 4e-200]), 5e-200);
+        assert_eq!(norm([0.0, 0.0, 0.0]), 0.0);
+    }
+}
