@@ -50,7 +50,7 @@ impl Quarter {
     fn visible(&self, xs: &RangeInclusive<i64>, ys: &RangeInclusive<i64>) -> RangeInclusive<i64> {
         let part = |distance: i64, radius: f64| (distance as f64 / radius).clamp(0.0, 1.0);
         if *xs.end() < 0 || *ys.end() < 0 {
-            return 1..=0;
+            return RangeInclusive::new(1, 0);
         }
         let first = part(xs.end() + 1, self.rx).acos().max(part(ys.start() - 1, self.ry).asin());
         let last = part(xs.start() - 1, self.rx).acos().min(part(ys.end() + 1, self.ry).asin());

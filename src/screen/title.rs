@@ -1,6 +1,10 @@
-//! Titles in the stroked Triplex face, in ten sizes, across or upwards.
+//! Titles in a stroked Triplex face, in ten sizes, across or upwards.
+//!
+//! The strokes are Hershey's roman triplex, which the Triplex face of the original's graphics library
+//! goes back to; heights, widths and places are fitted to what the programs showed. Hershey drew no
+//! Hungarian letters: accents are strokes of our own over the base letters.
 
-use super::{Color, Screen};
+use super::{Color, Screen, Stroke};
 use serde::{Deserialize, Serialize};
 
 /// The direction in which a title runs.
@@ -13,13 +17,193 @@ pub enum Direction {
     Vertical,
 }
 
-/// Width and height in pixels of a title, running horizontally.
+/// The strokes, one line a character from the blank to the tilde; see `fonts/README.md`. A line has
+/// the glyph's number in columns 0-4, the number of pairs in 5-7, then pairs of letters, each minus
+/// `R` a coordinate, y downwards: first the left and right bounds, then the points of the strokes.
+/// The pair ` R` lifts the pen.
+static FONT: &str = include_str!("fonts/rowmant.jhf");
+
+const FIRST: u32 = ' ' as u32;
+const GLYPHS: usize = 95;
+
+/// Where the line of each glyph begins in [`FONT`].
+static LINES: [usize; GLYPHS] = line_starts();
+
+/// Runs in the compiler only, where an index out of bounds would be an error of compilation.
+const fn line_starts() -> [usize; GLYPHS] {
+    let mut starts = [0; GLYPHS];
+    let (mut at, mut glyph) = (0, 1);
+    while glyph < GLYPHS {
+        if FONT.as_bytes()[at] == b'\n' {
+            starts[glyph] = at + 1;
+            glyph += 1;
+        }
+        at += 1;
+    }
+    starts
+}
+
+/// Size of the pixels' grid in the units of the font, for the sizes 1 to 10.
+const SCALES: [f64; 10] = [0.55, 0.65, 0.75, 1.0, 1.3, 1.65, 2.0, 2.5, 3.0, 4.0];
+/// The original's face is narrower than Hershey's.
+const NARROWING: f64 = 0.91;
+/// The y of the base line in the font's units, and those of the tops of small letters and capitals.
+const BASE: f64 = 9.0;
+const SMALL_TOP: f64 = -5.0;
+const CAPITAL_TOP: f64 = -12.0;
+/// Heights above and below the base line of the box that a title is placed by: room for accents
+/// above the capitals, and for descenders.
+const ASCENT: f64 = 28.0;
+const DESCENT: f64 = 7.0;
+
+fn scale(size: u8) -> f64 {
+    let index = usize::from(size.clamp(1, 10)) - 1;
+    SCALES.get(index).copied().unwrap_or(1.0)
+}
+
+/// A character drawn as strokes.
+struct Glyph {
+    left: f64,
+    right: f64,
+    strokes: Vec<Vec<(f64, f64)>>,
+}
+
+impl Glyph {
+    /// The glyph of a character; that of the question mark where there is none.
+    fn new(ch: char) -> Glyph {
+        let (base, accent) = decompose(ch);
+        let mut glyph = Glyph::plain(base).or_else(|| Glyph::plain('?')).unwrap_or(Glyph::BLANK);
+        if let Some(accent) = accent {
+            glyph.put(accent, if base.is_uppercase() { CAPITAL_TOP } else { SMALL_TOP });
+        }
+        glyph
+    }
+
+    const BLANK: Glyph = Glyph { left: -8.0, right: 8.0, strokes: Vec::new() };
+
+    /// The glyph of a printable ASCII character.
+    fn plain(ch: char) -> Option<Glyph> {
+        let start = *LINES.get(u32::from(ch).checked_sub(FIRST)? as usize)?;
+        let line = FONT.get(start..)?.lines().next()?.get(8..)?;
+        let mut pairs = line.as_bytes().chunks_exact(2).filter_map(|pair| <[u8; 2]>::try_from(pair).ok());
+        let coordinate = |letter: u8| f64::from(letter) - f64::from(b'R');
+        let [left, right] = pairs.next()?.map(coordinate);
+        let mut strokes = vec![Vec::new()];
+        for pair in pairs {
+            match strokes.last_mut() {
+                Some(stroke) if pair != *b" R" => {
+                    let [x, y] = pair.map(coordinate);
+                    stroke.push((x, y));
+                }
+                _ => strokes.push(Vec::new()),
+            }
+        }
+        Some(Glyph { left, right, strokes })
+    }
+
+    /// Puts an accent above a letter whose top is at `top`, in the place of the dot of an i or j.
+    fn put(&mut self, accent: Accent, top: f64) {
+        self.strokes.retain(|stroke| stroke.iter().any(|&(_, y)| y >= top));
+        let middle = (self.left + self.right) / 2.0;
+        for stroke in accent.strokes() {
+            self.strokes.push(stroke.iter().map(|&(x, y)| (middle + x, top + y)).collect());
+        }
+    }
+
+    fn advance(&self) -> f64 {
+        (self.right - self.left) * NARROWING
+    }
+}
+
+/// The accents of Hungarian.
+#[derive(Clone, Copy)]
+enum Accent {
+    Acute,
+    Dots,
+    DoubleAcute,
+}
+
+impl Accent {
+    /// Strokes relative to the middle of the letter's top.
+    fn strokes(self) -> &'static [&'static [(f64, f64)]] {
+        const ACUTE: &[(f64, f64)] = &[(-1.0, -2.0), (3.0, -7.0), (4.0, -6.0), (-1.0, -2.0)];
+        const LEFT_ACUTE: &[(f64, f64)] = &[(-5.0, -2.0), (-2.0, -7.0), (-1.0, -6.0), (-5.0, -2.0)];
+        const RIGHT_ACUTE: &[(f64, f64)] = &[(1.0, -2.0), (4.0, -7.0), (5.0, -6.0), (1.0, -2.0)];
+        const LEFT_DOT: &[(f64, f64)] =
+            &[(-5.0, -5.0), (-3.0, -5.0), (-3.0, -4.0), (-5.0, -4.0), (-5.0, -5.0)];
+        const RIGHT_DOT: &[(f64, f64)] = &[(3.0, -5.0), (5.0, -5.0), (5.0, -4.0), (3.0, -4.0), (3.0, -5.0)];
+        match self {
+            Accent::Acute => &[ACUTE],
+            Accent::Dots => &[LEFT_DOT, RIGHT_DOT],
+            Accent::DoubleAcute => &[LEFT_ACUTE, RIGHT_ACUTE],
+        }
+    }
+}
+
+/// The letter and the accent that a Hungarian letter is made of.
+fn decompose(ch: char) -> (char, Option<Accent>) {
+    let (base, accent) = match ch {
+        'á' => ('a', Accent::Acute),
+        'é' => ('e', Accent::Acute),
+        'í' => ('i', Accent::Acute),
+        'ó' => ('o', Accent::Acute),
+        'ö' => ('o', Accent::Dots),
+        'ő' => ('o', Accent::DoubleAcute),
+        'ú' => ('u', Accent::Acute),
+        'ü' => ('u', Accent::Dots),
+        'ű' => ('u', Accent::DoubleAcute),
+        'Á' => ('A', Accent::Acute),
+        'É' => ('E', Accent::Acute),
+        'Í' => ('I', Accent::Acute),
+        'Ó' => ('O', Accent::Acute),
+        'Ö' => ('O', Accent::Dots),
+        'Ő' => ('O', Accent::DoubleAcute),
+        'Ú' => ('U', Accent::Acute),
+        'Ü' => ('U', Accent::Dots),
+        'Ű' => ('U', Accent::DoubleAcute),
+        other => return (other, None),
+    };
+    (base, Some(accent))
+}
+
+/// Width and height in pixels of the box of a title that runs horizontally: the height has room for
+/// accents and descenders. Sizes are those of [`Screen::title`].
 #[must_use]
-pub fn title_size(_text: &str, _size: u8) -> (i32, i32) {
-    (0, 0)
+pub fn title_size(text: &str, size: u8) -> (i32, i32) {
+    let scale = scale(size);
+    let width: f64 = text.chars().map(|ch| Glyph::new(ch).advance()).sum();
+    ((width * scale).round() as i32, ((ASCENT + DESCENT) * scale).round() as i32)
 }
 
 impl Screen {
-    /// Draws a title whose box has its top left corner at (x, y).
-    pub fn title(&mut self, _x: i32, _y: i32, _text: &str, _color: Color, _size: u8, _direction: Direction) {}
+    /// Draws a title in strokes one pixel wide, in size 1 (capitals 12 pixels high) to 10 (84 pixels);
+    /// other sizes count as the nearest of these. (x, y) is the top left corner of the title's box,
+    /// which has the size [`title_size`], its sides swapped for a vertical title; capitals stand a
+    /// fifth of the box below its upper edge. Characters that the face lacks become question marks.
+    pub fn title(&mut self, x: i32, y: i32, text: &str, color: Color, size: u8, direction: Direction) {
+        let scale = scale(size);
+        let base = (ASCENT * scale).floor();
+        let length = f64::from(title_size(text, size).0);
+        let place = |along: f64, up: f64| {
+            let (dx, dy) = match direction {
+                Direction::Horizontal => (along.round(), base - up.round()),
+                Direction::Vertical => (base - up.round(), length - along.round()),
+            };
+            (x.saturating_add(dx as i32), y.saturating_add(dy as i32))
+        };
+        let mut pen = 0.0;
+        for glyph in text.chars().map(Glyph::new) {
+            for stroke in &glyph.strokes {
+                let points: Vec<_> = stroke
+                    .iter()
+                    .map(|&(x, y)| {
+                        let along = pen + (x - glyph.left) * NARROWING;
+                        place(along * scale, (BASE - y) * scale)
+                    })
+                    .collect();
+                self.polyline(&points, Stroke::thin(color));
+            }
+            pen += glyph.advance();
+        }
+    }
 }
