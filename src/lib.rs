@@ -10,6 +10,8 @@ pub mod editor;
 pub mod figure;
 pub mod file;
 pub mod geometry;
+#[cfg(feature = "native")]
+pub mod launch;
 pub mod machine;
 pub mod pascal;
 pub mod screen;

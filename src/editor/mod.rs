@@ -1,1 +1,9 @@
-//! Room under construction.
+//! The control-point editors that the programs share, and the history behind undo and redo.
+//!
+//! A program of the book is one of these editors with its own methods and buttons; nothing here names
+//! a program.
+
+mod history;
+pub mod plane;
+
+pub use history::History;

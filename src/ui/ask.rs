@@ -1,7 +1,7 @@
 //! Questions and entries on the communication page. Esc cancels every one of them, and the close
 //! button works in them; the program's picture is drawn under them again whenever something changes.
 
-use super::desk::{Desk, Draw};
+use super::desk::{Desk, Picture};
 use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
 use super::words::{self, Hot, Phrase, Words};
@@ -125,12 +125,12 @@ impl Desk<'_> {
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
-    pub async fn ask(&mut self, draw: Draw<'_>, question: &Question) -> Result<Option<Answer>, Quit> {
+    pub async fn ask(&mut self, picture: &dyn Picture, question: &Question) -> Result<Option<Answer>, Quit> {
         let windows = question.windows();
         loop {
             let tick = self
-                .event(&|screen, language| {
-                    draw(screen, language);
+                .event(&|screen: &mut Screen, language: Language| {
+                    picture.draw(screen, language);
                     question.draw(screen, language);
                 })
                 .await?;
@@ -153,8 +153,8 @@ impl Desk<'_> {
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
-    pub async fn yes(&mut self, draw: Draw<'_>, title: impl Into<Phrase>) -> Result<bool, Quit> {
-        Ok(self.ask(draw, &Question::yes_no(title)).await? == Some(Answer::First))
+    pub async fn yes(&mut self, picture: &dyn Picture, title: impl Into<Phrase>) -> Result<bool, Quit> {
+        Ok(self.ask(picture, &Question::yes_no(title)).await? == Some(Answer::First))
     }
 
     /// Lets numbers be typed on the page at the top; `None` is Esc in any of them. What is no number
@@ -162,14 +162,14 @@ impl Desk<'_> {
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
-    pub async fn numbers(&mut self, draw: Draw<'_>, form: &Form) -> Result<Option<Vec<f64>>, Quit> {
+    pub async fn numbers(&mut self, picture: &dyn Picture, form: &Form) -> Result<Option<Vec<f64>>, Quit> {
         let new_entry = |field: &Field| Entry::new(field.area, field.at, field.longest, Accepts::Number);
         let mut entries: Vec<Entry> = form.fields.iter().map(new_entry).collect();
         let mut numbers = Vec::new();
         while let Some(field) = form.fields.get(numbers.len()) {
             let tick = self
-                .event(&|screen, language| {
-                    draw(screen, language);
+                .event(&|screen: &mut Screen, language: Language| {
+                    picture.draw(screen, language);
                     page(screen, TOP);
                     for caption in &form.captions {
                         screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
@@ -199,7 +199,7 @@ impl Desk<'_> {
     /// [`Quit`] when the display is being closed.
     pub async fn file_name(
         &mut self,
-        draw: Draw<'_>,
+        picture: &dyn Picture,
         extension: &str,
         way: Way,
     ) -> Result<Option<String>, Quit> {
@@ -212,8 +212,8 @@ impl Desk<'_> {
         let dotted = format!(".{extension}");
         loop {
             let tick = self
-                .event(&|screen, language| {
-                    draw(screen, language);
+                .event(&|screen: &mut Screen, language: Language| {
+                    picture.draw(screen, language);
                     page(screen, MIDDLE);
                     screen.text(262, 208, words::FILE_NAME.of(language), Color::Black);
                     entry.draw(screen);

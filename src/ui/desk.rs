@@ -2,12 +2,22 @@
 
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
+use crate::figure::screen_png;
 use crate::machine::{Event, Key, Language, Machine, Quit, Storage, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::time::Duration;
 
-/// Draws a program's whole picture in a language. Questions draw it under themselves.
-pub type Draw<'a> = &'a dyn Fn(&mut Screen, Language);
+/// A program's whole picture. Questions draw it under themselves.
+pub trait Picture {
+    /// Draws the picture in a language.
+    fn draw(&self, screen: &mut Screen, language: Language);
+}
+
+impl<F: Fn(&mut Screen, Language)> Picture for F {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        self(screen, language);
+    }
+}
 
 /// One line of the help page: keys and what they do.
 pub type KeyHelp = (Words, Words);
@@ -42,21 +52,21 @@ impl<'m> Desk<'m> {
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
-    pub async fn event(&mut self, draw: Draw<'_>) -> Result<Tick, Quit> {
-        self.event_within(draw, None).await
+    pub async fn event(&mut self, picture: &dyn Picture) -> Result<Tick, Quit> {
+        self.event_within(picture, None).await
     }
 
     /// As [`Desk::event`], but not beyond a moment: a tick without event then.
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
-    pub async fn event_before(&mut self, draw: Draw<'_>, moment: Duration) -> Result<Tick, Quit> {
-        self.event_within(draw, Some(moment)).await
+    pub async fn event_before(&mut self, picture: &dyn Picture, moment: Duration) -> Result<Tick, Quit> {
+        self.event_within(picture, Some(moment)).await
     }
 
-    async fn event_within(&mut self, draw: Draw<'_>, moment: Option<Duration>) -> Result<Tick, Quit> {
+    async fn event_within(&mut self, picture: &dyn Picture, moment: Option<Duration>) -> Result<Tick, Quit> {
         loop {
-            self.draw(draw);
+            self.draw(picture);
             let expiry = self.notice.as_ref().and_then(|notice| notice.until);
             let tick = match moment.into_iter().chain(expiry).min() {
                 Some(moment) => self.machine.event_before(moment).await?,
@@ -91,9 +101,9 @@ impl<'m> Desk<'m> {
         }
     }
 
-    fn draw(&mut self, draw: Draw<'_>) {
+    fn draw(&mut self, picture: &dyn Picture) {
         let language = self.machine.language();
-        draw(self.machine.screen(), language);
+        picture.draw(self.machine.screen(), language);
         if let Some(notice) = &self.notice {
             notice.draw(self.machine.screen(), language);
         }
@@ -110,7 +120,7 @@ impl<'m> Desk<'m> {
     }
 
     fn save_picture(&mut self) -> Result<String, Phrase> {
-        let picture = Vec::new();
+        let picture = screen_png(self.machine.screen()).map_err(|error| words::plain(&error))?;
         let storage = self.machine.storage();
         let name = free_name(storage, self.manual.name);
         storage.write(&name, &picture).map_err(|error| words::storage_problem(&error))?;

@@ -12,7 +12,7 @@ mod notice;
 pub mod words;
 
 pub use ask::{Answer, Caption, Field, Form, MIDDLE, Number, Question, TOP, Way};
-pub use desk::{Desk, Draw, KeyHelp, Manual};
+pub use desk::{Desk, KeyHelp, Manual, Picture};
 pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};
 pub use notice::Stay;

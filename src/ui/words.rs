@@ -136,3 +136,57 @@ pub(crate) fn storage_problem(error: &StorageError) -> Phrase {
     };
     Phrase::new(hungarian, error.to_string())
 }
+
+// The plane editor's help.
+pub(crate) const HELP_DRAG: Words = Words(
+    "pont húzása; új a Tárból; ki a mezőről: törlés",
+    "drag a point; new ones from New; off the field: gone",
+);
+pub(crate) const HELP_INSERT: Words = Words("beszúrás: sorszám, hely", "insert: number, place");
+pub(crate) const HELP_CHANGE: Words = Words("változtatás: sorszám vagy hely", "change: number or place");
+pub(crate) const HELP_DELETE: Words = Words("törlés: sorszám", "delete: number");
+pub(crate) const HELP_CURVE: Words =
+    Words("görbe: nyitott vagy zárt, eljárás", "curve: open or closed, method");
+pub(crate) const HELP_RESULT: Words =
+    Words("eredmény: a görbe keret nélkül", "result: the curve without the frame");
+pub(crate) const HELP_QUIT: Words = Words("mentés, új konfiguráció, vége", "save, new configuration, end");
+pub(crate) const HELP_FOLLOW: Words = Words(
+    "a görbe változtatás után is követi a pontokat",
+    "the curve goes on following the points after a change",
+);
+pub(crate) const HELP_COMPARE: Words =
+    Words("több eljárás görbéje együtt, színekben", "curves of several methods together, in colours");
+pub(crate) const HELP_SAVE: Words = Words("mentés", "save");
+
+// Short messages of the plane editor: 28 letters fit on the communication page.
+pub(crate) const FULL: Words = Words("Több pont nem fér: 99 van", "No room: there are 99 points");
+pub(crate) const NO_POINTS: Words = Words("Nincs még pont", "There is no point yet");
+pub(crate) const TOO_FEW: Words = Words("Legalább 3 pont kell", "At least 3 points are needed");
+pub(crate) const NO_CURVE: Words = Words("Előbb görbét: G", "First a curve: G");
+pub(crate) const NO_MORE: Words = Words("Nincs több változás", "There is no more change");
+pub(crate) const FOLLOWS: Words = Words("A görbe követi a pontokat", "The curve follows the points");
+pub(crate) const FOLLOWS_NOT: Words = Words("A görbe csak húzáskor követ", "The curve follows drags only");
+pub(crate) const ENTER_BACK: Words = Words("Enter - vissza", "Enter - back");
+pub(crate) const WRONG_CONTENT: Words = Words(
+    "Ebben a fileban nem síkbeli kontrollpontok vannak",
+    "This file holds no control points of the plane",
+);
+pub(crate) const OUTSIDE_FIELD: Words = Words(
+    "Pont a mezőn kívül, vagy 99-nél több pont; a mező x = 0...560, y = 0...380",
+    "A point outside the field, or more than 99 points; the field is x = 0...560, y = 0...380",
+);
+
+/// There is no point of a number; `count` is the largest.
+pub(crate) fn no_such_point(count: usize) -> Phrase {
+    Phrase::new(format!("Nincs ilyen pont: 1...{count}"), format!("No such point: 1...{count}"))
+}
+
+/// Whether a file that exists shall be overwritten.
+pub(crate) fn exists(name: &str) -> Phrase {
+    Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
+}
+
+/// What is wrong in a file.
+pub(crate) fn in_file(name: &str, error: &dyn std::fmt::Display) -> Phrase {
+    plain(&format!("{name}: {error}"))
+}

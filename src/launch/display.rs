@@ -1,0 +1,59 @@
+//! Choosing the display of a session and staying with it until the end.
+
+use super::outlet::Disk;
+use super::{DisplayKind, Failure, Options};
+use crate::machine::{Recorder, Script, Session, play};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// Shows a session until it has ended.
+pub(super) fn show(mut session: Session, name: &str, options: &Options) -> Result<(), Failure> {
+    if let Some(path) = &options.record {
+        session.record(recorder(path, name, &session)?);
+    }
+    let shown = match (&options.script, options.display) {
+        (Some(path), _) => run_script(&mut session, path),
+        (None, Some(DisplayKind::None)) => {
+            Err(Failure::usage("--display none shows nothing and waits for ever; it needs --script FILE"))
+        }
+        (None, wish) => live(&mut session, name, wish, options),
+    };
+    let recorded = session.finish_recording();
+    shown?;
+    recorded.map_err(|error| Failure::work(format!("{}: {error}", path_of(options.record.as_deref()))))
+}
+
+fn path_of(path: Option<&Path>) -> String {
+    path.map(|path| path.display().to_string()).unwrap_or_default()
+}
+
+fn recorder(path: &Path, name: &str, session: &Session) -> Result<Recorder, Failure> {
+    let file = File::create(path).map_err(|error| Failure::work(format!("{}: {error}", path.display())))?;
+    let comment = format!("{name} --lang {}", session.language().code());
+    Ok(Recorder::new(Box::new(file), &comment))
+}
+
+fn run_script(session: &mut Session, path: &Path) -> Result<(), Failure> {
+    let shown = path.display();
+    let text = if path == Path::new("-") {
+        let mut text = String::new();
+        std::io::stdin().read_to_string(&mut text).map(|_| text)
+    } else {
+        std::fs::read_to_string(path)
+    };
+    let text = text.map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
+    let script = Script::parse(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
+    play(session, &script, &mut Disk).map_err(|error| Failure::work(format!("{shown}: {error}")))
+}
+
+/// Shows a session in a window or in the terminal.
+fn live(
+    session: &mut Session,
+    name: &str,
+    wish: Option<DisplayKind>,
+    options: &Options,
+) -> Result<(), Failure> {
+    let _ = (session, name, wish, options);
+    Err(Failure::work("this build has no display; play a script with --script FILE"))
+}

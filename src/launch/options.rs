@@ -1,0 +1,82 @@
+//! The options that every program takes.
+
+use crate::machine::{Folder, Language, Machine, Settings};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Where a program shows itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DisplayKind {
+    /// In a window.
+    Window,
+    /// In the terminal.
+    Terminal,
+    /// Nowhere; only useful with a script.
+    None,
+}
+
+/// A language by its code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Code {
+    Hu,
+    En,
+}
+
+/// The options of a program's command line.
+#[derive(Args, Clone, Debug, Default)]
+pub struct Options {
+    /// Data file to open at the start (.IP2, .json, …), or the name of a built-in sample
+    pub file: Option<PathBuf>,
+    /// Language of the texts; without it the locale decides
+    #[arg(long, value_enum, value_name = "LANG")]
+    lang: Option<Code>,
+    /// Display; without it a window where one can be opened, else the terminal
+    #[arg(long, value_enum, value_name = "DISPLAY")]
+    pub display: Option<DisplayKind>,
+    /// Whole factor by which the window is larger than 640x480
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    pub scale: Option<u32>,
+    /// Play a script without display, in virtual time; - is standard input
+    #[arg(long, value_name = "FILE")]
+    pub script: Option<PathBuf>,
+    /// Write the session as a script
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// Where random numbers start from
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+}
+
+impl Options {
+    /// The language of the program's texts: as asked for, Hungarian in scripts, else the locale's.
+    pub fn language(&self) -> Language {
+        match self.lang {
+            Some(Code::Hu) => Language::Hungarian,
+            Some(Code::En) => Language::English,
+            None if self.script.is_some() => Language::Hungarian,
+            None => locale_language(),
+        }
+    }
+
+    /// The language of the messages on stderr: the command line speaks English.
+    pub(super) fn errors(&self) -> Language {
+        Language::English
+    }
+
+    /// A machine as these options set it, with a folder for its files.
+    pub(super) fn machine(&self, folder: PathBuf) -> Machine {
+        let seed = self.seed.unwrap_or(Settings::default().seed);
+        Machine::new(Box::new(Folder::new(folder)), Settings { language: self.language(), seed })
+    }
+}
+
+/// Hungarian where the locale says so, English elsewhere.
+fn locale_language() -> Language {
+    let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
+    let locale =
+        variables.into_iter().filter_map(|name| std::env::var(name).ok()).find(|set| !set.is_empty());
+    match locale {
+        Some(locale) if locale.to_ascii_lowercase().starts_with("hu") => Language::Hungarian,
+        _ => Language::English,
+    }
+}
