@@ -1,7 +1,9 @@
 //! The data files: what the DOS programs wrote is read and written again, and wrong files are refused with
 //! a reason.
 
-use grafika::file::{CsangoCube, CurveSettings, Document, Format, Method, PlanePoints, SpacePoints};
+use grafika::file::{
+    CsangoCube, CurveSettings, Document, FileKind, Format, Method, PlanePoints, SpacePoints, convert,
+};
 
 const SIX: &[u8] = include_bytes!("files/SIX.IP2");
 const GAUSS: &[u8] = include_bytes!("files/GAUSS.IP2");
@@ -302,4 +304,50 @@ fn facts_about_a_file() {
     assert_eq!(read(Format::Csk, FINISHED).describe()[0], "position of the Csángó cube, the finished cube");
     let fourier = read(Format::Gbp, FIGURE_A).describe();
     assert_eq!(fourier[1..], ["a1 = 100, b1 = 100, q1 = 0.5", "a2 = 50, p2 = 1, b2 = 50, q2 = 0.5"]);
+}
+
+#[test]
+fn conversions_between_kinds() {
+    let kind = |name: &str| FileKind::from_name(name).unwrap();
+    let to = |bytes: &[u8], from, into| convert(bytes, kind(from), kind(into));
+    let csv = to(SIX, "six.ip2", "six.csv").unwrap();
+    assert_eq!(String::from_utf8_lossy(&csv[..26]), "x,y\n60,80\n250,200\n320,120\n");
+    assert_eq!(read(Format::Ip2, &to(&csv, "A.CSV", "A.IP2").unwrap()), read(Format::Ip2, SIX));
+    assert_eq!(read(Format::Ic2, &to(SIX, "A.IP2", "A.IC2").unwrap()), read(Format::Ip2, SIX));
+    let space = to(SIX, "A.IP2", "A.IP3").unwrap();
+    assert_eq!(read(Format::Ip2, &to(&space, "A.IP3", "A.IP2").unwrap()), read(Format::Ip2, SIX));
+    let json = to(&space, "A.IP3", "A.json").unwrap();
+    assert_eq!(to(&json, "A.json", "A.IP3"), Ok(space));
+    assert_eq!(to(b" X , Y,Z\r\n\r\n1, -2.5e3 ,0.1\r\n", "A.csv", "B.csv").unwrap(), b"x,y,z\n1,-2500,0.1\n");
+    for (bytes, from, into, message) in [
+        (&b"x;y\n"[..], "a.csv", "a.ip2", "line 1, header: must be \"x,y\" or \"x,y,z\""),
+        (b"", "a.csv", "a.ip2", "line 1, header: must be \"x,y\" or \"x,y,z\""),
+        (b"x,y\n\n1,2,3\n", "a.csv", "a.ip2", "line 3, row: 3 columns; there must be 2"),
+        (b"x,y\n1,2\n1,inf\n", "a.csv", "a.ip2", "line 3, y: \"inf\" is not a finite number"),
+        (b"x,y\n1,\xff\n", "a.csv", "a.ip2", "line 2: the text is not UTF-8"),
+        (
+            CUBE,
+            "a.ip3",
+            "a.ip2",
+            "does not fit into .IP2: control points in space; it holds control points in the plane",
+        ),
+        (
+            WHEEL,
+            "a.gyk",
+            "a.csv",
+            "does not fit into .CSV: position of the bead wheel; it holds the coordinates of points",
+        ),
+    ] {
+        assert_eq!(to(bytes, from, into).unwrap_err().to_string(), message);
+    }
+    assert_eq!(FileKind::from_name("a.txt"), None);
+}
+
+#[test]
+fn json_is_for_people() {
+    let document = read(Format::Ic2, CH_POINTS);
+    assert_eq!(
+        document.to_json().unwrap(),
+        "{\n  \"format\": \"IP2\",\n  \"points\": [\n    [100, 50],\n    [160, 300],\n    [300, 120],\n    [440, 320]\n  ]\n}\n"
+    );
 }

@@ -5,7 +5,7 @@ use super::{FileError, Format, settings};
 use serde::Serialize;
 
 /// Points in the order of their axes.
-const AXES: [&str; 3] = ["x", "y", "z"];
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The number of points, as record 0 holds it at `offset`.
 pub(super) fn count(value: i16, offset: usize) -> Result<usize, FileError> {

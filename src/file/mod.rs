@@ -6,6 +6,8 @@
 //! Nothing is opened or saved here; [`crate::machine`] does that.
 
 mod check;
+mod convert;
+mod csv;
 mod cube;
 mod cube_shapes;
 mod document;
@@ -21,6 +23,7 @@ mod space;
 mod view;
 mod wheel;
 
+pub use convert::{FileKind, convert};
 pub use cube::{CsangoCube, CubePiece, ROTATIONS};
 pub use cube_shapes::{PIECES, PieceShape, TABLE, shape};
 pub use document::Document;

@@ -1,0 +1,136 @@
+//! Makes the sample files in `data/`: `cargo run --example make_samples [FOLDER]`.
+//!
+//! The disk of the book had `A.IP2` to `D.IP2` and `X.IP2` to `Z.IP2`; what exactly was in them is lost. These
+//! show what the book shows with such files: closed frames, multiple points (2.3.4 to 2.3.6), and a
+//! measured curve with noise and with an error (2.3.8). The same bytes come out every time.
+
+use grafika::file::{Document, FileError, Format, PlanePoints};
+
+type Point = [f64; 2];
+
+/// Number of points of the measured curve, 14 pixels apart, and of the sparse one, 40 pixels apart.
+const DENSE: u8 = 41;
+const SPARSE: u8 = 15;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = std::env::args().nth(1).unwrap_or_else(|| "data".to_owned());
+    for (name, bytes) in samples()? {
+        std::fs::write(std::path::Path::new(&folder).join(name), bytes)?;
+    }
+    Ok(())
+}
+
+/// Every sample file: its name and its bytes.
+pub fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
+    let all = [
+        ("A.IP2", letter_a()),
+        ("B.IP2", letter_b()),
+        ("C.IP2", letter_c()),
+        ("D.IP2", multiple_points()),
+        ("X.IP2", (0..DENSE).map(|k| gauss(14 * u16::from(k))).collect()),
+        ("Y.IP2", noisy()),
+        ("Z.IP2", with_an_error()),
+    ];
+    all.into_iter().map(|(name, points)| Ok((name, bytes(points)?))).collect()
+}
+
+fn bytes(points: Vec<Point>) -> Result<Vec<u8>, FileError> {
+    let points = points.into_iter().map(|point| point.map(f64::round)).collect();
+    Document::PlanePoints(PlanePoints::new(points)).write(Format::Ip2)
+}
+
+/// The outline of a stencil A: straight sides, rounded corners, and a gap instead of a hole.
+fn letter_a() -> Vec<Point> {
+    outline(&[
+        [110.0, 20.0],
+        [245.0, 360.0],
+        [315.0, 360.0],
+        [450.0, 20.0],
+        [385.0, 20.0],
+        [280.0, 285.0],
+        [227.0, 150.0],
+        [311.0, 150.0],
+        [329.0, 105.0],
+        [209.0, 105.0],
+        [175.0, 20.0],
+    ])
+}
+
+/// A B in one stroke: up the stem, and back down over the two bowls, which meet at the stem.
+fn letter_b() -> Vec<Point> {
+    let stem = (0..=6).map(|k| [150.0, 56.0 + 45.0 * f64::from(k)]);
+    let top = [[152.0, 353.0], [178.0, 360.0]];
+    let upper = arc([240.0, 273.0], [115.0, 87.0], [105.0, -75.0], 8);
+    let waist = [[215.0, 191.0], [170.0, 188.0], [215.0, 185.0]];
+    let lower = arc([250.0, 104.0], [150.0, 84.0], [75.0, -105.0], 10);
+    let bottom = [[178.0, 20.0], [152.0, 27.0]];
+    stem.chain(top).chain(upper).chain(waist).chain(lower).chain(bottom).collect()
+}
+
+/// The outline of a C: two arcs of ellipses, joined at the ends.
+fn letter_c() -> Vec<Point> {
+    let centre = [295.0, 190.0];
+    let outer = arc(centre, [200.0, 170.0], [40.0, 320.0], 22);
+    let inner = arc(centre, [130.0, 105.0], [320.0, 40.0], 15);
+    let middle = |angle| arc(centre, [165.0, 137.0], [angle, angle], 1);
+    [outer, middle(320.0), inner, middle(40.0)].concat()
+}
+
+/// A frame with a double point at the lower right and a triple one at the upper right, as in figures 2.11,
+/// 2.14 and 2.22.
+fn multiple_points() -> Vec<Point> {
+    let [lower, upper] = [[470.0, 50.0], [470.0, 330.0]];
+    vec![[150.0, 50.0], lower, lower, upper, upper, upper, [150.0, 330.0], [60.0, 190.0]]
+}
+
+/// A Gauss curve 300 pixels high in the middle of the field, on a ground of 40 pixels.
+fn gauss(x: u16) -> Point {
+    let x = f64::from(x);
+    let deviation = (x - 280.0) / 60.0;
+    [x, 40.0 + 300.0 * (-deviation * deviation / 2.0).exp()]
+}
+
+/// The dense curve with noise of up to 14 pixels on every ordinate.
+fn noisy() -> Vec<Point> {
+    let mut state = 1997u32;
+    let mut noise = || {
+        // The generator of Numerical Recipes; its high bits are random enough for a picture.
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 16) / 65536.0 * 28.0 - 14.0
+    };
+    (0..DENSE).map(|k| gauss(14 * u16::from(k))).map(|[x, y]| [x, y + noise()]).collect()
+}
+
+/// The sparse curve whose 11th ordinate is 160 pixels too high.
+fn with_an_error() -> Vec<Point> {
+    let mut points: Vec<_> = (0..SPARSE).map(|k| gauss(40 * u16::from(k))).collect();
+    points[10][1] += 160.0; // there are 15
+    points
+}
+
+/// Points on an arc of an ellipse with this centre and these half axes, between two angles in degrees.
+fn arc(centre: Point, axes: Point, angles: [f64; 2], count: u8) -> Vec<Point> {
+    let [from, to] = angles.map(f64::to_radians);
+    let at = |k| {
+        let (sin, cos) = (from + (to - from) * f64::from(k) / f64::from(count.max(2) - 1)).sin_cos();
+        [centre[0] + axes[0] * cos, centre[1] + axes[1] * sin]
+    };
+    (0..count).map(at).collect()
+}
+
+/// The sides of a polygon, each as evenly spaced points that stay away from the corners.
+fn outline(corners: &[Point]) -> Vec<Point> {
+    const CUT: f64 = 10.0;
+    const SPACING: f64 = 34.0;
+    let mut points = Vec::new();
+    for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+        let side = [to[0] - from[0], to[1] - from[1]];
+        let length = side[0].hypot(side[1]);
+        let steps = ((length - 2.0 * CUT) / SPACING).round().max(1.0);
+        for step in 0..=steps as u8 {
+            let t = (CUT + (length - 2.0 * CUT) * f64::from(step) / steps) / length;
+            points.push([from[0] + side[0] * t, from[1] + side[1] * t]);
+        }
+    }
+    points
+}

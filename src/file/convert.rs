@@ -1,0 +1,104 @@
+//! From one kind of file to another.
+
+use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints};
+
+/// A kind of file that holds a document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FileKind {
+    /// A data file of the DOS programs.
+    Dos(Format),
+    /// JSON, which holds every document.
+    Json,
+    /// CSV, which holds points.
+    Csv,
+}
+
+impl FileKind {
+    /// The kind of a file by its name; the case does not matter.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        let (_, extension) = name.rsplit_once('.')?;
+        match extension.to_ascii_lowercase().as_str() {
+            "json" => Some(Self::Json),
+            "csv" => Some(Self::Csv),
+            _ => Format::from_extension(extension).map(Self::Dos),
+        }
+    }
+}
+
+impl Document {
+    /// The document in the bytes of a file.
+    ///
+    /// # Errors
+    /// Those of [`Document::read`], [`Document::from_json`] and [`Document::from_csv`], and
+    /// [`FileError::Text`] for text that is not UTF-8.
+    pub fn decode(kind: FileKind, bytes: &[u8]) -> Result<Self, FileError> {
+        match kind {
+            FileKind::Dos(format) => Self::read(format, bytes),
+            FileKind::Json => utf8(bytes).and_then(Self::from_json),
+            FileKind::Csv => utf8(bytes).and_then(Self::from_csv),
+        }
+    }
+
+    /// The bytes of a file with this document.
+    ///
+    /// # Errors
+    /// Those of [`Document::write`], [`Document::to_json`] and [`Document::to_csv`].
+    pub fn encode(&self, kind: FileKind) -> Result<Vec<u8>, FileError> {
+        match kind {
+            FileKind::Dos(format) => self.write(format),
+            FileKind::Json => self.to_json().map(String::into_bytes),
+            FileKind::Csv => self.to_csv().map(String::into_bytes),
+        }
+    }
+
+    /// The same content for another DOS format: points of the plane into space with z = 0 and back where
+    /// z is 0 everywhere, points with tangents without them, nets of one family under each other's
+    /// names. What cannot become such a document stays as it is; [`Document::write`] will say so.
+    #[must_use]
+    pub fn adapted(self, format: Format) -> Self {
+        match (self, format) {
+            (Self::PlanePoints(PlanePoints { points, settings, .. }), Format::Ip3) => {
+                let points = points.into_iter().map(|[x, y]| [x, y, 0.0]).collect();
+                Self::SpacePoints(SpacePoints { points, settings })
+            }
+            (Self::SpacePoints(SpacePoints { points, settings }), Format::Ip2 | Format::Ic2)
+                if points.iter().all(|&[_, _, z]| z == 0.0) =>
+            {
+                let points = points.into_iter().map(|[x, y, _]| [x, y]).collect();
+                Self::PlanePoints(PlanePoints { points, tangents: None, settings })
+            }
+            (Self::PlanePoints(points), Format::Ip2) => {
+                Self::PlanePoints(PlanePoints { tangents: None, ..points })
+            }
+            (Self::Net(net), _) => Self::Net(match NetKind::of(format) {
+                Some(kind) if net.kind.goes_into(kind) => Net { kind, ..net },
+                _ => net,
+            }),
+            (document, _) => document,
+        }
+    }
+}
+
+/// The bytes of one kind of file turned into those of another.
+///
+/// Into a DOS format the document is [`Document::adapted`] first. A JSON document with tangents goes into
+/// `.IC2` and `.EC2` by two conversions.
+///
+/// # Errors
+/// [`FileError`] when the bytes are no such file or the other kind cannot hold the document.
+pub fn convert(bytes: &[u8], from: FileKind, to: FileKind) -> Result<Vec<u8>, FileError> {
+    let document = Document::decode(from, bytes)?;
+    match to {
+        FileKind::Dos(format) => document.adapted(format).encode(to),
+        FileKind::Json | FileKind::Csv => document.encode(to),
+    }
+}
+
+fn utf8(bytes: &[u8]) -> Result<&str, FileError> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let before = bytes.iter().take(error.valid_up_to());
+        let line = 1 + before.filter(|&&byte| byte == b'\n').count();
+        FileError::Text { line, place: String::new(), problem: "the text is not UTF-8".to_owned() }
+    })
+}

@@ -1,0 +1,21 @@
+//! The sample files in `data/` are those that `examples/make_samples.rs` makes.
+
+#[allow(dead_code)] // its main function
+#[path = "../examples/make_samples.rs"]
+mod make_samples;
+
+use grafika::file::{Document, Format};
+use std::path::Path;
+
+#[test]
+fn the_samples_are_up_to_date() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
+    let samples = make_samples::samples().unwrap();
+    assert_eq!(samples.len(), 7);
+    for (name, bytes) in samples {
+        let found = std::fs::read(folder.join(name)).unwrap();
+        assert!(found == bytes, "{name}: run `cargo run --example make_samples`");
+        let document = Document::read(Format::Ip2, &bytes).unwrap();
+        assert_eq!(document.write(Format::Ip2), Ok(bytes));
+    }
+}
