@@ -146,3 +146,106 @@ fn inner_roots(coefficients: [f64; 3]) -> impl Iterator<Item = f64> {
     let q = -(linear + root.copysign(linear));
     [q / square, d0 / q].into_iter().filter(|u| *u > 0.0 && *u < 1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn arc() -> impl Strategy<Value = CubicBezier<3>> {
+        prop::array::uniform4(prop::array::uniform3(-100.0..100.0)).prop_map(|p| CubicBezier { p })
+    }
+
+    fn distance(a: Point<3>, b: Point<3>) -> f64 {
+        norm(scaled_difference(1.0, a, b))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn samples_agree_with_eval(arc in arc(), count in 2_usize..200) {
+            let mut out = vec![[0.0; 3]; count];
+            arc.sample_into(&mut out);
+            prop_assert_eq!((out[0], out[count - 1]), (arc.p[0], arc.p[3]));
+            for (j, p) in out.iter().enumerate() {
+                let u = j as f64 / (count - 1) as f64;
+                prop_assert!(distance(*p, arc.eval(u)) < 1e-14 * 100.0 * 3.0);
+            }
+        }
+
+        #[test]
+        fn derivatives_agree_with_differences(arc in arc(), u in 0.0..1.0) {
+            let h = 1e-4;
+            let slope = scaled_difference(0.5 / h, arc.eval(u - h), arc.eval(u + h));
+            prop_assert!(distance(slope, arc.derivative(u)) < 1e-4);
+            let bend = scaled_difference(0.5 / h, arc.derivative(u - h), arc.derivative(u + h));
+            prop_assert!(distance(bend, arc.second_derivative(u)) < 1e-6);
+            let third = scaled_difference(1.0, arc.second_derivative(0.0), arc.second_derivative(1.0));
+            prop_assert!(distance(third, arc.third_derivative()) < 1e-9);
+        }
+
+        #[test]
+        fn pieces_lie_on_the_arc(arc in arc(), from in 0.0..1.0, to in 0.0..1.0, u in 0.0..1.0) {
+            let piece = arc.subsegment(from, to);
+            prop_assert!(distance(piece.eval(u), arc.eval(from + u * (to - from))) < 1e-11);
+            let [before, after] = arc.split(from);
+            prop_assert!(distance(before.eval(u), arc.eval(u * from)) < 1e-11);
+            prop_assert!(distance(after.eval(u), arc.eval(from + u * (1.0 - from))) < 1e-11);
+            prop_assert_eq!(before.p[3], after.p[0]);
+        }
+
+        #[test]
+        fn box_is_the_smallest(arc in arc()) {
+            let bounds = arc.bounding_box();
+            let mut reached = BoundingBox::of_point(arc.p[0]);
+            for j in 0..=4000 {
+                reached = reached.union(BoundingBox::of_point(arc.eval(f64::from(j) / 4000.0)));
+            }
+            for d in 0..3 {
+                prop_assert!((bounds.min[d] - reached.min[d]).abs() < 1e-4);
+                prop_assert!((bounds.max[d] - reached.max[d]).abs() < 1e-4);
+                prop_assert!(bounds.min[d] <= reached.min[d] + 1e-12 && reached.max[d] <= bounds.max[d] + 1e-12);
+            }
+        }
+
+        #[test]
+        fn length_adds_up(arc in arc(), u in 0.0..1.0) {
+            let [before, after] = arc.split(u);
+            let whole = arc.length(1e-11);
+            prop_assert!((before.length(1e-11) + after.length(1e-11) - whole).abs() < 1e-10);
+        }
+    }
+
+    #[test]
+    fn known_lengths() {
+        // A straight line run through unevenly, a parabola y = x^2 on [0, 1], and a cusp.
+        let line = CubicBezier { p: [[0.0, 0.0], [0.0, 0.0], [3.0, 4.0], [3.0, 4.0]] };
+        assert!((line.length(1e-13) - 5.0).abs() < 1e-13);
+        let parabola = CubicBezier { p: [[0.0, 0.0], [1.0 / 3.0, 0.0], [2.0 / 3.0, 1.0 / 3.0], [1.0, 1.0]] };
+        let want = 5.0_f64.sqrt() / 2.0 + 2.0_f64.asinh() / 4.0;
+        assert!((parabola.length(1e-14) - want).abs() < 1e-14);
+        // x = 3 t^2, y = 2 t^3 for t from -1 to 1: twice 2 (2 sqrt 2 - 1).
+        let cusp = CubicBezier { p: [[3.0, -2.0], [-1.0, 2.0], [-1.0, -2.0], [3.0, 2.0]] };
+        assert!((cusp.length(1e-12) - 4.0 * (8.0_f64.sqrt() - 1.0)).abs() < 1e-11);
+        assert_eq!(CubicBezier { p: [[7.0; 2]; 4] }.length(0.0), 0.0);
+    }
+
+    #[test]
+    fn box_of_a_tiny_arc_is_found_too() {
+        let arc = CubicBezier { p: [[0.0], [4e-200], [4e-200], [0.0]] };
+        assert!((arc.bounding_box().max[0] / 3e-200 - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn few_samples() {
+        let arc = CubicBezier { p: [[1.0], [2.0], [3.0], [5.0]] };
+        arc.sample_into(&mut []);
+        let mut one = [[0.0]];
+        arc.sample_into(&mut one);
+        assert_eq!(one, [[1.0]]);
+        let mut two = [[0.0]; 2];
+        arc.sample_into(&mut two);
+        assert_eq!(two, [[1.0], [5.0]]);
+    }
+}
