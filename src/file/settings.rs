@@ -28,6 +28,27 @@ pub enum Method {
     Fourier,
 }
 
+impl Method {
+    /// Every method with its name in JSON and on command lines.
+    pub const ALL: [(&'static str, Self); 9] = [
+        ("coons", Self::Coons),
+        ("bezier", Self::Bezier),
+        ("spline", Self::Spline),
+        ("bspline2", Self::BSpline2),
+        ("bspline3", Self::BSpline3),
+        ("beta", Self::Beta),
+        ("local", Self::Local),
+        ("hermite", Self::Hermite),
+        ("fourier", Self::Fourier),
+    ];
+
+    /// The method of a name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|&(_, method)| method)
+    }
+}
+
 /// How a curve is drawn; every part may be missing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,14 +1,14 @@
 //! Choosing the display of a session and staying with it until the end.
 
 use super::outlet::Disk;
-use super::{DisplayKind, Failure, Options};
+use super::{DisplayKind, Failure, RunOptions};
 use crate::machine::{Recorder, Script, Session, play};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
 /// Shows a session until it has ended.
-pub(super) fn show(mut session: Session, name: &str, options: &Options) -> Result<(), Failure> {
+pub(super) fn show(mut session: Session, name: &str, options: &RunOptions) -> Result<(), Failure> {
     if let Some(path) = &options.record {
         session.record(recorder(path, name, &session)?);
     }
@@ -52,7 +52,7 @@ fn live(
     session: &mut Session,
     name: &str,
     wish: Option<DisplayKind>,
-    options: &Options,
+    options: &RunOptions,
 ) -> Result<(), Failure> {
     let _ = (session, name, wish, options);
     Err(Failure::work("this build has no display; play a script with --script FILE"))

@@ -46,8 +46,8 @@ impl From<clap::Error> for Failure {
     }
 }
 
-/// Says what went wrong and gives the exit status.
-pub(super) fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
+/// Says on stderr what went wrong, if anything, and gives the exit status.
+pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
     let Err(failure) = result else { return ExitCode::SUCCESS };
     if failure.is_answer {
         print!("{failure}");

@@ -9,13 +9,13 @@ mod open;
 mod options;
 mod outlet;
 
-pub use failure::Failure;
-pub use open::{Opened, open};
-pub use options::{DisplayKind, Options};
+pub use failure::{Failure, exit};
+pub use open::{Opened, kind_of, open};
+pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::write_output;
 
 use crate::file::Document;
-use crate::machine::{Machine, Quit, Session};
+use crate::machine::{Language, Machine, Quit, Session};
 use crate::ui::{Manual, Phrase};
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
@@ -42,16 +42,16 @@ pub struct Program {
 impl Program {
     /// The `main` of a program that has a binary of its own.
     pub fn main(&self) -> ExitCode {
-        let command = Options::augment_args(Command::new(self.manual.name)).about(self.manual.about.1);
-        let command = command.version(env!("CARGO_PKG_VERSION"));
-        failure::exit(self.manual.name, self.start_from(command, std::env::args_os()))
+        exit(self.manual.name, self.start_from(std::env::args_os()))
     }
 
-    fn start_from(
-        &self,
-        command: Command,
-        arguments: impl IntoIterator<Item = OsString>,
-    ) -> Result<(), Failure> {
+    /// Starts the program with a command line, whose first word is the program's name.
+    ///
+    /// # Errors
+    /// [`Failure`] when the command line is wrong, or a file, a script or a display does not work.
+    pub fn start_from(&self, arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure> {
+        let command = Command::new(self.manual.name).about(self.manual.about.1);
+        let command = Options::augment_args(command).version(env!("CARGO_PKG_VERSION"));
         let matches = command.try_get_matches_from(arguments)?;
         self.start(&Options::from_arg_matches(&matches)?)
     }
@@ -64,15 +64,15 @@ impl Program {
         let opened = options.file.as_deref().map(open).transpose()?;
         if let Some(opened) = &opened {
             (self.check)(&opened.document).map_err(|problem| {
-                Failure::work(format!("{}: {}", opened.name, problem.of(options.errors())))
+                Failure::work(format!("{}: {}", opened.name, problem.of(Language::English)))
             })?;
         }
         let folder = opened.as_ref().map(|opened| opened.folder.clone()).unwrap_or_default();
         let document = opened.map(|opened| opened.document);
         let run = self.run;
-        let machine = options.machine(folder);
+        let machine = options.run.machine(folder);
         let session =
             Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
-        display::show(session, self.manual.name, options)
+        display::show(session, self.manual.name, &options.run)
     }
 }

@@ -1,7 +1,7 @@
 //! Finding and reading the file that a command line names.
 
 use super::Failure;
-use crate::file::{Document, Format};
+use crate::file::{Document, FileKind, Format};
 use crate::machine::{Folder, Storage};
 use std::path::{Path, PathBuf};
 
@@ -36,23 +36,21 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
         true => Failure::work(format!("{error}, neither in this folder nor among the built-in samples")),
         false => Failure::work(format!("{}: {error}", folder.display())),
     })?;
-    let document =
-        read(file_name, &content).map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
+    let document = Document::decode(kind_of(path)?, &content)
+        .map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
     Ok(Opened { name, folder, document })
 }
 
-/// The document in the content of a file, by the extension of its name.
-fn read(name: &str, content: &[u8]) -> Result<Document, String> {
-    let is_json = Path::new(name).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
-    if is_json {
-        let text =
-            std::str::from_utf8(content).map_err(|error| format!("JSON is UTF-8 text, but {error}"))?;
-        return Document::from_json(text).map_err(|error| error.to_string());
-    }
-    let Some(format) = Format::from_name(name) else {
+/// The kind of a file by its name.
+///
+/// # Errors
+/// [`Failure`] that lists the extensions there are.
+pub fn kind_of(path: &Path) -> Result<FileKind, Failure> {
+    let name = path.display().to_string();
+    FileKind::from_name(&name).ok_or_else(|| {
         let known: Vec<String> =
             Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
-        return Err(format!("no data file has this extension; there are {} and .json", known.join(" ")));
-    };
-    Document::read(format, content).map_err(|error| error.to_string())
+        let known = known.join(" ");
+        Failure::work(format!("{name}: no data file has this extension; there are {known} .json .csv"))
+    })
 }

@@ -22,11 +22,19 @@ enum Code {
     En,
 }
 
-/// The options of a program's command line.
+/// A program's command line.
 #[derive(Args, Clone, Debug, Default)]
 pub struct Options {
-    /// Data file to open at the start (.IP2, .json, …), or the name of a built-in sample
+    /// Data file to open at the start (.IP2, .json, ...), or the name of a built-in sample
     pub file: Option<PathBuf>,
+    /// How the program runs.
+    #[command(flatten)]
+    pub run: RunOptions,
+}
+
+/// The options that say how a program runs.
+#[derive(Args, Clone, Debug, Default)]
+pub struct RunOptions {
     /// Language of the texts; without it the locale decides
     #[arg(long, value_enum, value_name = "LANG")]
     lang: Option<Code>,
@@ -47,7 +55,7 @@ pub struct Options {
     pub seed: Option<u64>,
 }
 
-impl Options {
+impl RunOptions {
     /// The language of the program's texts: as asked for, Hungarian in scripts, else the locale's.
     pub fn language(&self) -> Language {
         match self.lang {
@@ -58,9 +66,9 @@ impl Options {
         }
     }
 
-    /// The language of the messages on stderr: the command line speaks English.
-    pub(super) fn errors(&self) -> Language {
-        Language::English
+    /// These options with a file, or without.
+    pub fn with_file(&self, file: Option<PathBuf>) -> Options {
+        Options { file, run: self.clone() }
     }
 
     /// A machine as these options set it, with a folder for its files.

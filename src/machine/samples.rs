@@ -1,7 +1,15 @@
 //! The data files of the book's disk, made again and built into the program.
 
 /// Every built-in sample: name and content.
-pub const SAMPLES: &[(&str, &[u8])] = &[];
+pub const SAMPLES: &[(&str, &[u8])] = &[
+    ("A.IP2", include_bytes!("../../data/A.IP2")),
+    ("B.IP2", include_bytes!("../../data/B.IP2")),
+    ("C.IP2", include_bytes!("../../data/C.IP2")),
+    ("D.IP2", include_bytes!("../../data/D.IP2")),
+    ("X.IP2", include_bytes!("../../data/X.IP2")),
+    ("Y.IP2", include_bytes!("../../data/Y.IP2")),
+    ("Z.IP2", include_bytes!("../../data/Z.IP2")),
+];
 
 /// The content of the built-in sample of a name, in whatever case.
 pub fn sample(name: &str) -> Option<&'static [u8]> {

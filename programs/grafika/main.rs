@@ -1,0 +1,97 @@
+//! `grafika`: the menu and the command line over all programs.
+
+#[path = "../gb_2d_ip.rs"]
+mod gb_2d_ip;
+
+mod convert;
+mod curve;
+mod menu;
+mod sample;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+use grafika::launch::{Failure, Program, RunOptions, exit, open, write_output};
+use std::ffi::OsString;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Every program, in the order of the book.
+const PROGRAMS: &[Program] = &[gb_2d_ip::PROGRAM];
+
+/// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
+#[derive(Parser)]
+#[command(name = "grafika", version, args_conflicts_with_subcommands = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    options: RunOptions,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the programs
+    List,
+    /// Tell what a data file holds
+    Info {
+        /// A data file or a built-in sample
+        file: PathBuf,
+    },
+    /// Write points of a curve as CSV or JSON
+    Sample(sample::Sample),
+    /// Convert a data file into another format, by the extensions
+    Convert(convert::Convert),
+    /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
+    #[command(external_subcommand)]
+    Program(Vec<OsString>),
+}
+
+fn main() -> ExitCode {
+    exit("grafika", run())
+}
+
+fn run() -> Result<(), Failure> {
+    let cli = Cli::try_parse()?;
+    match cli.command {
+        None => menu::MENU.start(&cli.options.with_file(None)),
+        Some(Command::List) => write_output(None, list().as_bytes()),
+        Some(Command::Info { file }) => {
+            let opened = open(&file)?;
+            let lines = opened.document.describe().join("\n");
+            write_output(None, format!("{lines}\n").as_bytes())
+        }
+        Some(Command::Sample(sample)) => sample.run(),
+        Some(Command::Convert(convert)) => convert.run(),
+        Some(Command::Program(words)) => run_program(words),
+    }
+}
+
+/// Every program with a line about it.
+fn list() -> String {
+    let mut text = String::new();
+    for program in PROGRAMS {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1);
+    }
+    text
+}
+
+/// Starts the program that the first word names, in whatever case, with the rest as its command line.
+fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
+    let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
+    match PROGRAMS.iter().find(|program| program.manual.name == name) {
+        Some(program) => program.start_from(words),
+        None => {
+            let programs: Vec<&str> = PROGRAMS.iter().map(|program| program.manual.name).collect();
+            let known = Cli::command();
+            let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
+            let message = format!(
+                "there is no command or program {name:?}; commands are {}, programs are {}",
+                commands.join(", "),
+                programs.join(", ")
+            );
+            Err(Cli::command().error(ErrorKind::InvalidSubcommand, message).into())
+        }
+    }
+}

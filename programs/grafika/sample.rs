@@ -1,0 +1,50 @@
+//! `grafika sample`: points of a curve as CSV or JSON.
+
+use crate::curve::{CurveArgs, Curved};
+use clap::Args;
+use grafika::figure::{curve_csv, curve_json};
+use grafika::geometry::Curve;
+use grafika::launch::{Failure, write_output};
+use std::path::PathBuf;
+
+/// The command line of `grafika sample`.
+#[derive(Args)]
+pub(crate) struct Sample {
+    #[command(flatten)]
+    curve: CurveArgs,
+    /// Steps a span: u = 0, 1/N, ... 1
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    per_span: u32,
+    /// Where to write; .csv or .json [default: CSV on standard output]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+}
+
+impl Sample {
+    /// Samples and writes.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let text = match self.curve.curve()? {
+            Curved::Plane(_, curve) => self.text(&curve),
+            Curved::Space(_, curve) => self.text(&curve),
+        }?;
+        write_output(self.output.as_deref(), text.as_bytes())
+    }
+
+    fn text<const D: usize>(&self, curve: &Curve<D>) -> Result<String, Failure> {
+        let samples = curve.sample(self.per_span as usize).map_err(Failure::work)?;
+        let rows = samples.iter().map(|sample| (sample.span, sample.u, sample.point));
+        match extension(self.output.as_deref()).as_deref() {
+            None | Some("csv") => Ok(curve_csv(rows)),
+            Some("json") => Ok(curve_json(rows)),
+            Some(other) => {
+                Err(Failure::usage(format!("-o: samples are written as .csv or .json, not .{other}")))
+            }
+        }
+    }
+}
+
+/// The extension of an output file in lower case; none for standard output.
+pub(crate) fn extension(path: Option<&std::path::Path>) -> Option<String> {
+    let path = path.filter(|path| *path != std::path::Path::new("-"))?;
+    Some(path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default())
+}
