@@ -241,3 +241,100 @@ fn largest_value(coefficients: Vec<Point<1>>) -> f64 {
     }
     bound.max(reached)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wave(n: usize) -> Bezier<2> {
+        let points: Vec<_> = (0..n).map(|i| [i as f64, 10.0 * (1.3 * i as f64).sin()]).collect();
+        Bezier::new(Closure::Open, &points).unwrap()
+    }
+
+    fn distance(a: Point<2>, b: Point<2>) -> f64 {
+        norm(scaled_difference(1.0, a, b))
+    }
+
+    #[test]
+    fn parts_lie_on_the_curve() {
+        let curve = wave(60);
+        let [before, after] = curve.split(0.3);
+        for j in 0..=20 {
+            let u = f64::from(j) / 20.0;
+            assert!(distance(before.eval(u), curve.eval(0.3 * u)) < 1e-12);
+            assert!(distance(after.eval(u), curve.eval(0.3 + 0.7 * u)) < 1e-12);
+        }
+        assert_eq!(before.points().last(), after.points().first());
+    }
+
+    #[test]
+    fn derivatives_agree_with_differences() {
+        let curve = wave(12);
+        let h = 1e-4;
+        for u in [0.1, 0.4, 0.85] {
+            let slope = scaled_difference(0.5 / h, curve.eval(u - h), curve.eval(u + h));
+            assert!(distance(slope, curve.derivative(u)) < 1e-3);
+            let bend = scaled_difference(0.5 / h, curve.derivative(u - h), curve.derivative(u + h));
+            assert!(distance(bend, curve.second_derivative(u)) < 1e-2);
+        }
+        // Two points: a line with no second derivative.
+        assert_eq!(wave(2).second_derivative(0.5), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn raised_cubic_is_the_same_curve() {
+        let cubic = CubicBezier { p: [[0.0, 1.0], [5.0, -3.0], [2.0, 8.0], [9.0, 9.0]] };
+        let points: Vec<_> = (0..=17).map(|i| raised(&cubic, i, 17)).collect();
+        let curve = Bezier::new(Closure::Open, &points).unwrap();
+        assert!(
+            (0..=10).map(|j| f64::from(j) / 10.0).all(|u| distance(curve.eval(u), cubic.eval(u)) < 1e-13)
+        );
+        assert!(deviation(&points, &cubic) < 1e-13);
+        assert_eq!(curve.to_cubics(1e-6).map(|arcs| arcs.len()), Ok(1));
+    }
+
+    #[test]
+    fn low_degrees_are_one_exact_arc() {
+        for n in 2..=4 {
+            let curve = wave(n);
+            let arcs = curve.to_cubics(1e-300).unwrap();
+            assert_eq!(arcs.len(), 1);
+            assert!(
+                (0..=8).map(|j| f64::from(j) / 8.0).all(|u| distance(curve.eval(u), arcs[0].eval(u)) < 1e-14)
+            );
+        }
+    }
+
+    #[test]
+    fn tolerances_that_cannot_be_kept_are_errors() {
+        for tolerance in [0.0, -1.0, f64::NAN] {
+            let error = wave(9).to_cubics(tolerance);
+            assert!(matches!(error, Err(GeometryError::Parameter { name: "tolerance", .. })));
+        }
+        assert!(matches!(wave(9).to_cubics(1e-15), Err(GeometryError::ToleranceTooSmall { .. })));
+        assert!(wave(9).to_cubics(1e-11).is_ok());
+    }
+
+    #[test]
+    fn closed_curve_returns_to_its_first_point() {
+        let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let curve = Bezier::new(Closure::Closed, &points).unwrap();
+        assert_eq!((curve.degree(), curve.eval(0.0), curve.eval(1.0)), (3, points[0], points[0]));
+        assert_eq!(curve.eval(0.5), [0.375, 0.375]);
+    }
+
+    #[test]
+    fn length_is_that_of_the_arcs() {
+        let curve = wave(20);
+        let arcs = curve.to_cubics(1e-9).unwrap();
+        let sum: f64 = arcs.iter().map(|arc| arc.length(1e-12)).sum();
+        assert!((curve.length(1e-10) - sum).abs() < 1e-5);
+    }
+
+    #[test]
+    fn box_of_a_line_is_exact() {
+        let points: Vec<_> = (0..99).map(|i| [f64::from(i), 7.0]).collect();
+        let bounds = Bezier::new(Closure::Open, &points).unwrap().bounding_box();
+        assert_eq!((bounds.min, bounds.max), ([0.0, 7.0], [98.0, 7.0]));
+    }
+}

@@ -52,10 +52,15 @@ impl<const D: usize> CubicBezier<D> {
     pub fn sample_into(&self, out: &mut [Point<D>]) {
         let steps = out.len().saturating_sub(1);
         let scale = 1.0 / steps.max(1) as f64;
-        let [c0, c1, c2, c3] = self.powers();
-        for (j, point) in out.iter_mut().enumerate() {
-            let u = j as f64 * scale;
-            *point = std::array::from_fn(|i| ((c3[i] * u + c2[i]) * u + c1[i]) * u + c0[i]);
+        let powers = self.powers();
+        let (blocks, rest) = out.as_chunks_mut::<LANES>();
+        let done = blocks.len() * LANES;
+        for (k, block) in blocks.iter_mut().enumerate() {
+            let first = k * LANES;
+            *block = horner(&powers, std::array::from_fn(|lane| (first + lane) as f64 * scale));
+        }
+        for (j, point) in rest.iter_mut().enumerate() {
+            [*point] = horner(&powers, [(done + j) as f64 * scale]);
         }
         if let [_, .., last] = out {
             *last = self.p[3];
@@ -131,6 +136,16 @@ impl<const D: usize> CubicBezier<D> {
         let (ab, bc, cd) = (lerp(a, b, u), lerp(b, c, u), lerp(c, d, u));
         lerp(lerp(ab, bc, v), lerp(bc, cd, v), w)
     }
+}
+
+/// How many samples are computed side by side, so that the compiler can use vector registers.
+const LANES: usize = 4;
+
+/// Points at `N` parameters from power coefficients, coordinate by coordinate.
+fn horner<const D: usize, const N: usize>([c0, c1, c2, c3]: &[Point<D>; 4], u: [f64; N]) -> [Point<D>; N] {
+    let columns: [[f64; N]; D] =
+        std::array::from_fn(|d| u.map(|u| ((c3[d] * u + c2[d]) * u + c1[d]) * u + c0[d]));
+    std::array::from_fn(|lane| std::array::from_fn(|d| columns[d][lane]))
 }
 
 /// Roots strictly between 0 and 1 of the quadratic with these Bernstein coefficients.

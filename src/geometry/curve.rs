@@ -104,7 +104,9 @@ impl<const D: usize> Curve<D> {
     /// # Errors
     /// As [`Curve::sample`].
     pub fn polyline(&self, per_span: usize) -> Result<Vec<Point<D>>, GeometryError> {
-        self.check_samples(per_span)?;
+        if self.check_samples(per_span)? == 0 {
+            return Ok(Vec::new());
+        }
         let mut points = vec![[0.0; D]; self.spans() * per_span + 1];
         for span in 0..self.spans() {
             let from = span * per_span;
@@ -168,5 +170,63 @@ impl<const D: usize> Curve<D> {
             return Err(GeometryError::Samples { per_span, most });
         }
         Ok(self.spans() * (per_span + 1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: [Point<2>; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+
+    fn curve(method: Method) -> Curve<2> {
+        Curve::through(method, Closure::Open, &SQUARE).unwrap()
+    }
+
+    #[test]
+    fn samples_are_rows_of_every_span() {
+        for method in [Method::Spline, Method::Bezier] {
+            let curve = curve(method);
+            let samples = curve.sample(4).unwrap();
+            assert_eq!(samples.len(), 5 * curve.spans());
+            for (row, sample) in samples.iter().enumerate() {
+                assert_eq!((sample.span, sample.u), (row / 5, (row % 5) as f64 / 4.0));
+                let [x, y] = curve.eval(sample.span, sample.u).unwrap();
+                assert!((sample.point[0] - x).abs() < 1e-14 && (sample.point[1] - y).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn polyline_has_every_joint_once() {
+        let line = curve(Method::Spline).polyline(10).unwrap();
+        assert_eq!(line.len(), 31);
+        assert_eq!([line[0], line[10], line[20], line[30]], SQUARE);
+    }
+
+    #[test]
+    fn places_outside_are_clipped_or_none() {
+        let curve = curve(Method::Spline);
+        assert_eq!(curve.eval(3, 0.5), None);
+        assert_eq!(curve.derivative(usize::MAX, 0.5), None);
+        assert_eq!(curve.eval(0, -7.0), Some(SQUARE[0]));
+        assert_eq!(curve.eval(2, 1e300), Some(SQUARE[3]));
+    }
+
+    #[test]
+    fn absurd_sample_counts_are_errors() {
+        let curve = curve(Method::Spline);
+        for per_span in [0, MAX_SAMPLES, usize::MAX] {
+            assert!(matches!(curve.sample(per_span), Err(GeometryError::Samples { .. })));
+            assert!(matches!(curve.polyline(per_span), Err(GeometryError::Samples { .. })));
+        }
+    }
+
+    #[test]
+    fn curve_without_arcs_answers_with_nothing() {
+        let nothing = Curve::<2>::Piecewise(Vec::new());
+        assert_eq!((nothing.spans(), nothing.eval(0, 0.0), nothing.bounding_box()), (0, None, None));
+        assert_eq!((nothing.sample(3), nothing.polyline(3)), (Ok(Vec::new()), Ok(Vec::new())));
+        assert_eq!(nothing.length(1e-9), 0.0);
     }
 }

@@ -7,6 +7,9 @@
 //! arcs. The Bézier curve by all points is one arc of any degree. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
+//! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
+//! (`tests/geometry_methods.rs`, `tests/geometry_bezier.rs`), for 3 to 99 points and more.
+//!
 //! A closed spline through four points, and the middle of its first arc:
 //!
 //! ```
