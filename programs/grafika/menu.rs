@@ -4,7 +4,7 @@ use crate::PROGRAMS;
 use grafika::launch::Program;
 use grafika::machine::{Key, Language, Machine, Quit};
 use grafika::screen::{Color, Direction, Screen};
-use grafika::ui::{Area, Desk, Manual, Picture, Stay, Words, sunken};
+use grafika::ui::{Area, Desk, Manual, Picture, Words, sunken};
 
 const MANUAL: Manual = Manual {
     name: "grafika",

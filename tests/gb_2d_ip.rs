@@ -1,0 +1,231 @@
+//! GB_2D_IP as its user sees it: the originals' screens, our own golden pictures, random input.
+
+mod common;
+
+#[path = "../programs/gb_2d_ip.rs"]
+mod gb_2d_ip;
+
+use common::{Kept, pictures, play_script, storage};
+use gb_2d_ip::PROGRAM;
+use grafika::machine::{Memory, Storage};
+
+/// The least part of all pixels that must agree with a screen of the original. Its letters are of
+/// another face, which alone is some 0.3 %.
+const LEAST_AGREEMENT: f64 = 0.985;
+
+#[test]
+fn every_reference_script_gives_the_originals_screen() {
+    let folder = common::path("reference/curves");
+    let mut scripts = 0;
+    let mut problems = Vec::new();
+    for entry in std::fs::read_dir(&folder).unwrap() {
+        let file = entry.unwrap().path();
+        let name = file.file_stem().unwrap().to_string_lossy().into_owned();
+        if file.extension().is_none_or(|extension| extension != "script") || !name.starts_with("GB_2D_IP_") {
+            continue;
+        }
+        let script = std::fs::read_to_string(&file).unwrap();
+        let needs = script.lines().find_map(|line| line.strip_prefix("# needs ")).unwrap_or("");
+        let files: Vec<&str> = needs.split_whitespace().collect();
+        let kept = play_script(PROGRAM, storage("reference/curves", &files), &script);
+        let picture = format!("{name}.png");
+        let ours = kept.pictures[&picture].pixels();
+        let theirs = pictures::read(&folder.join(&picture));
+        let agreement = pictures::agreement(ours, &theirs);
+        if agreement < LEAST_AGREEMENT {
+            let kept = pictures::keep_both(&name, ours, &theirs);
+            problems.push(format!("{name}: {agreement:.4} agree, see {}", kept.display()));
+        }
+        scripts += 1;
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+    assert_eq!(scripts, 30);
+}
+
+/// Six points in a new configuration.
+const SIX: &str = "key U\ntype b1\nkey Enter\ntype 60\nkey Enter\ntype 80\nkey Enter\n\
+    drag 618 90 161 150\ndrag 618 90 261 110\ndrag 618 90 361 330\ndrag 618 90 461 390\ndrag 618 90 561 170\n";
+
+fn play_six(rest: &str) -> Kept {
+    play_script(PROGRAM, Memory::default(), &format!("{SIX}{rest}\ndump end.json\nshot end.png\n"))
+}
+
+fn points(kept: &Kept) -> Vec<[f64; 2]> {
+    serde_json::from_value(kept.models["end.json"]["points"].clone()).unwrap()
+}
+
+#[test]
+fn golden_pictures() {
+    let cases = [
+        ("ip_points", ""),
+        ("ip_spline_closed", "type gz3"),
+        ("ip_coons", "type gn1.5\nkey Enter"),
+        ("ip_bezier_closed", "type gz2"),
+        ("ip_compared", "type gz3\nkey F4\ntype 1245\nkey Enter"),
+        ("ip_compared_result", "type gz3\nkey F4\ntype 1245\nkey Enter\ntype ei"),
+        ("ip_dragged", "type gz3\nmove 361 330\npress left\nmove 400 300"),
+        ("ip_followed", "key F3\ntype gz3\ndrag 361 330 400 300\nwait 2500"),
+        ("ip_help", "key F1"),
+        ("ip_help_english", "key F1\nkey F2"),
+        ("ip_question_english", "key Q\nkey F2"),
+        ("ip_message", "key E"),
+        ("ip_overshoot", "type gz1-9\nkey Enter"),
+    ];
+    for (name, script) in cases {
+        pictures::assert_golden(name, &play_six(script).pictures["end.png"]);
+    }
+}
+
+#[test]
+fn a_golden_picture_can_fail_and_says_where() {
+    let mut screen = play_six("").pictures["end.png"].clone();
+    screen.bar(100, 200, 104, 203, grafika::screen::Color::Red);
+    let golden = common::path("golden/ip_points.png");
+    let message = pictures::compare("a_golden_picture_can_fail", &screen, &golden).unwrap_err();
+    assert!(message.contains("20 pixels differ, all within (100,200)-(104,203)"), "{message}");
+}
+
+#[test]
+fn points_are_dragged_out_of_the_store_over_the_field_and_off_it() {
+    let kept = play_six("drag 361 330 300 200\ndrag 101 370 615 300");
+    let expected = [[120.0, 300.0], [220.0, 340.0], [259.0, 250.0], [420.0, 60.0], [520.0, 280.0]];
+    assert_eq!(points(&kept), expected);
+}
+
+#[test]
+fn the_topmost_disc_is_taken_and_escape_puts_it_back() {
+    let kept = play_six("drag 161 150 261 115\nmove 261 112\npress left\nmove 50 300\nkey Esc\nrelease left");
+    assert_eq!(points(&kept)[2], [220.0, 340.0]);
+    let kept = play_six("drag 161 150 261 115\ndrag 261 112 50 300");
+    assert_eq!(points(&kept)[2], [9.0, 150.0]);
+}
+
+#[test]
+fn every_change_is_undone_and_redone() {
+    let changed = "drag 361 330 300 200\ntype t1\nkey Enter\ntype v1\nkey Enter\ntype s3\nkey Enter\n";
+    let undo = "key Ctrl+Z\n".repeat(3);
+    let before = points(&play_six(""));
+    let after = points(&play_six(changed));
+    assert_ne!(before, after);
+    assert_eq!(points(&play_six(&format!("{changed}{undo}"))), before);
+    assert_eq!(points(&play_six(&format!("{changed}{undo}{}", "key Ctrl+Y\n".repeat(3)))), after);
+    let nothing = points(&play_six(&"key Ctrl+Z\n".repeat(50)));
+    assert!(nothing.is_empty());
+}
+
+#[test]
+fn escape_cancels_every_question_and_entry() {
+    let before = points(&play_six(""));
+    for question in [
+        "b",
+        "b2\nkey Enter\ntype ",
+        "v",
+        "v1\nkey Enter\ntype ",
+        "v1\nkey Enter\ntype s",
+        "v1\nkey Enter\ntype h5",
+        "t",
+        "g",
+        "gn",
+        "gn1",
+        "gn4",
+        "q",
+        "qi",
+        "qia",
+        "qn",
+    ] {
+        let kept = play_six(&format!("type {question}\nkey Esc\nkey Esc\nkey Esc\ntype t6\nkey Enter"));
+        assert_eq!(points(&kept), before[..5], "{question:?}");
+    }
+}
+
+#[test]
+fn nonsense_in_numbers_is_asked_for_again() {
+    let kept = play_six(
+        "type v1abc\nkey Enter\ntype h\ntype 1234567890123456789012345678901234567890\nkey Enter\ntype x--5\nkey Enter\ntype 7\nkey Enter",
+    );
+    assert_eq!(points(&kept)[0], [123.0, 7.0]);
+}
+
+#[test]
+fn special_keys_are_never_letters() {
+    let keys = "Up Down Left Right Home End PageUp PageDown Insert Delete F5 F7 F8 F9 F10 Tab";
+    let script: String = keys.split(' ').map(|key| format!("key {key}\n")).collect();
+    assert_eq!(points(&play_six(&script)), points(&play_six("")));
+}
+
+#[test]
+fn a_saved_configuration_is_loaded_again() {
+    let kept = play_six("type qisix\nkey Enter\ntype ni\ndump empty.json\ntype tsix\nkey Enter");
+    assert!(kept.models["empty.json"]["points"].as_array().unwrap().is_empty());
+    assert_eq!(points(&kept), points(&play_six("")));
+    assert_eq!(kept.models["end.json"]["unsaved"], false);
+}
+
+#[test]
+fn a_wrong_file_is_refused_and_nothing_is_lost() {
+    let mut disk = Memory::default();
+    disk.write("SHORT.IP2", &[0; 1299]).unwrap();
+    let script = "type tshort\nkey Enter\nshot message.png\nkey U\ndrag 618 90 161 150\ndump end.json";
+    let kept = play_script(PROGRAM, disk, script);
+    assert_eq!(points(&kept), [[120.0, 300.0]]);
+    pictures::assert_golden("ip_wrong_file", &kept.pictures["message.png"]);
+}
+
+/// A disk that takes nothing.
+#[derive(Clone, Default)]
+struct FullDisk(Memory);
+
+impl Storage for FullDisk {
+    fn read(&self, name: &str) -> Result<Vec<u8>, grafika::machine::StorageError> {
+        self.0.read(name)
+    }
+    fn write(&mut self, name: &str, _: &[u8]) -> Result<(), grafika::machine::StorageError> {
+        let problem =
+            grafika::machine::StorageProblem::System("No space left on device (os error 28)".to_string());
+        Err(grafika::machine::StorageError { name: name.to_string(), problem })
+    }
+    fn find(&self, name: &str) -> Option<String> {
+        self.0.find(name)
+    }
+}
+
+#[test]
+fn a_full_disk_is_told_and_the_points_are_still_there() {
+    let mut kept = Kept::default();
+    let script = format!("{SIX}type qisix\nkey Enter\nshot message.png\nkey Esc\ndump end.json");
+    let script = grafika::machine::Script::parse(&script).unwrap();
+    let mut session = common::session(PROGRAM, FullDisk::default(), Default::default());
+    grafika::machine::play(&mut session, &script, &mut kept).unwrap();
+    assert_eq!(points(&kept), points(&play_six("")));
+    assert_eq!(kept.models["end.json"]["unsaved"], true);
+    pictures::assert_golden("ip_full_disk", &kept.pictures["message.png"]);
+}
+
+#[test]
+fn closing_with_unsaved_changes_asks_first() {
+    let ended = |rest: &str| {
+        let mut session = common::session(PROGRAM, Memory::default(), Default::default());
+        let script = grafika::machine::Script::parse(&format!("{SIX}{rest}")).unwrap();
+        grafika::machine::play(&mut session, &script, &mut Kept::default()).unwrap();
+        session.ended()
+    };
+    assert!(!ended("close"));
+    assert!(!ended("close\nclose\nclose"));
+    assert!(ended("close\nkey N"));
+    assert!(!ended("close\nkey Esc"));
+    assert!(ended("close\ntype isix\nkey Enter"));
+    assert!(ended("type qisix\nkey Enter\ntype nn\nclose"));
+    assert!(!ended("type gn1\nclose"));
+    assert!(ended("type gn1\nclose\nkey N"));
+}
+
+#[test]
+fn a_recorded_session_replays_to_the_same_picture() {
+    let script = common::random::script(7, 3000);
+    common::random::assert_replays(PROGRAM, &script);
+}
+
+#[test]
+fn random_events_do_no_harm() {
+    common::random::storm(PROGRAM, 100_000);
+}
