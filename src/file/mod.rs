@@ -4,6 +4,20 @@
 //! [`Document::write`] gives a file that the DOS program reads and draws rightly. JSON holds everything
 //! that a document can, also what the DOS format has no place for: settings, fractions, more points.
 //! Nothing is opened or saved here; [`crate::machine`] does that.
+//!
+//! ```
+//! use grafika::file::{Document, FileError, FileKind, Format, convert};
+//!
+//! let text = "{\"format\": \"IP2\", \"points\": [[60, 80], [250, 200.5]], \"settings\": {\"closed\": true}}";
+//! let document = Document::from_json(text)?.without_settings();
+//! let refusal = document.write(Format::Ip2).unwrap_err().to_string();
+//! assert_eq!(refusal, "does not fit into .IP2: point 2: y = 200.5; it holds whole numbers 0..=380");
+//!
+//! let bytes = convert(b"x,y\n60,80\n250,200\n", FileKind::Csv, FileKind::Dos(Format::Ip2))?;
+//! assert_eq!(bytes.len(), 1300);
+//! assert_eq!(Document::read(Format::Ip2, &bytes)?.describe()[1], "x 60 .. 250, y 80 .. 200");
+//! # Ok::<(), FileError>(())
+//! ```
 
 mod check;
 mod convert;
