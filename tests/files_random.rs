@@ -1,9 +1,9 @@
 //! Random documents: text keeps every double, DOS files keep what they can.
 
+use grafika::file::cube::{PIECES, ROTATIONS};
 use grafika::file::{
     BeadWheel, CsangoCube, Document, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints,
 };
-use grafika::file::{PIECES, ROTATIONS};
 use proptest::prelude::*;
 
 fn finite() -> impl Strategy<Value = f64> {

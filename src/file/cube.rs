@@ -5,10 +5,11 @@
 //! cells (5 triples of signed bytes, the first absolute, the others relative to it), faces as lists of
 //! corners (12 x 9 bytes, the first the length), and what the program computes for the picture.
 
-use super::cube_shapes::{PIECES, PieceShape, TABLE, shape};
 use super::{FileError, Format};
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
+
+pub use super::cube_shapes::{PIECES, PieceShape, TABLE, shape};
 
 const RECORD: usize = 1216;
 /// Where the fields stand in a record.

@@ -22,7 +22,7 @@
 mod check;
 mod convert;
 mod csv;
-mod cube;
+pub mod cube;
 mod cube_shapes;
 mod document;
 mod error;
@@ -35,11 +35,10 @@ mod plane;
 mod settings;
 mod space;
 mod view;
-mod wheel;
+pub mod wheel;
 
 pub use convert::{FileKind, convert};
-pub use cube::{CsangoCube, CubePiece, ROTATIONS};
-pub use cube_shapes::{PIECES, PieceShape, TABLE, shape};
+pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;
 pub use error::FileError;
 pub use format::Format;
@@ -48,4 +47,4 @@ pub use net::{Net, NetKind};
 pub use plane::{FIELD, MAX_POINTS, PlanePoints, Tangent, Tangents};
 pub use settings::{CurveSettings, Method, NetSettings};
 pub use space::SpacePoints;
-pub use wheel::{ARMS, BeadWheel, EMPTY, RINGS};
+pub use wheel::BeadWheel;
