@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// Every sample file: its name and its bytes.
-pub fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
+pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let all = [
         ("A.IP2", letter_a()),
         ("B.IP2", letter_b()),

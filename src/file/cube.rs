@@ -5,10 +5,11 @@
 //! cells (5 triples of signed bytes, the first absolute, the others relative to it), faces as lists of
 //! corners (12 x 9 bytes, the first the length), and what the program computes for the picture.
 
-use super::cube_shapes::{PIECES, PieceShape, TABLE, shape};
 use super::{FileError, Format};
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
+
+pub use super::cube_shapes::{PIECES, PieceShape, TABLE, shape};
 
 const RECORD: usize = 1216;
 /// Where the fields stand in a record.
@@ -20,6 +21,8 @@ const FACES: usize = 1009;
 const FACE: usize = 9;
 /// Half a cell edge in pixels.
 const HALF_EDGE: i32 = 13;
+/// Cells of the table.
+const TABLE_CELLS: usize = TABLE[0] as usize * TABLE[1] as usize * TABLE[2] as usize;
 
 /// The 24 rotations of a cube as matrices: `rotated[i] = sum of matrix[i][j] * original[j]`. The first is
 /// the identity.
@@ -53,19 +56,19 @@ struct Cells {
 type Problem = (usize, usize, String);
 
 impl CubePiece {
-    /// The cells of piece `index` (counted from 0) lying here, cell 1 first; empty for no piece. They are
+    /// The cells of piece `index` (counted from 0) lying here, cell 1 first; none for no piece. They are
     /// not cut to the table.
-    #[must_use]
-    pub fn cells(&self, index: usize) -> Vec<[i8; 3]> {
+    pub fn cells(&self, index: usize) -> impl Iterator<Item = [i8; 3]> + use<> {
+        let Self { cell, rotation } = *self;
         let cells = shape(index).map_or(&[][..], |shape| shape.cells);
-        cells.iter().map(|&cell| add(self.cell, turned(&self.rotation, cell))).collect()
+        cells.iter().map(move |&relative| add(cell, turned(&rotation, relative)))
     }
 
     /// The piece whose cells are these, cell 1 first.
     fn from_cells(index: usize, cells: &[[i8; 3]]) -> Option<Self> {
         let &cell = cells.first()?;
         let place = |&rotation| Self { cell, rotation };
-        ROTATIONS.iter().map(place).find(|piece| piece.cells(index) == cells)
+        ROTATIONS.iter().map(place).find(|piece| piece.cells(index).eq(cells.iter().copied()))
     }
 }
 
@@ -115,18 +118,18 @@ impl CsangoCube {
     }
 
     fn problem(&self) -> Option<Problem> {
-        let mut owners = std::collections::HashMap::new();
+        let mut owners = [None; TABLE_CELLS];
         for (index, piece) in self.pieces.iter().enumerate() {
             if !ROTATIONS.contains(&piece.rotation) {
                 return Some((index, CELLS, "its matrix is none of the 24 rotations".to_owned()));
             }
-            for (number, cell) in piece.cells(index).into_iter().enumerate() {
+            for (number, cell) in piece.cells(index).enumerate() {
                 let offset = CELLS + 3 * number;
-                if cell.iter().zip(TABLE).any(|(&v, size)| !(0..size).contains(&v)) {
+                let Some(owner) = on_table(cell).and_then(|place| owners.get_mut(place)) else {
                     let text = format!("cell {} is at {cell:?}, outside the 10 x 10 x 7 table", number + 1);
                     return Some((index, offset, text));
-                }
-                if let Some(other) = owners.insert(cell, index + 1) {
+                };
+                if let Some(other) = owner.replace(index + 1) {
                     return Some((index, offset, format!("piece {other} is at {cell:?} as well")));
                 }
             }
@@ -138,7 +141,7 @@ impl CsangoCube {
         let state = if self.is_finished() { "the finished cube" } else { "not finished" };
         let mut lines = vec![format!("position of the Csángó cube, {state}")];
         lines.extend(self.pieces.iter().enumerate().map(|(index, piece)| {
-            let cells: Vec<_> = piece.cells(index).iter().map(|[u, v, w]| format!("({u} {v} {w})")).collect();
+            let cells: Vec<_> = piece.cells(index).map(|[u, v, w]| format!("({u} {v} {w})")).collect();
             format!("piece {}: {}", index + 1, cells.join(" "))
         }));
         lines
@@ -170,7 +173,14 @@ impl CsangoCube {
 
 impl From<CsangoCube> for Cells {
     fn from(cube: CsangoCube) -> Self {
-        Self { pieces: cube.pieces.iter().enumerate().map(|(index, piece)| piece.cells(index)).collect() }
+        Self {
+            pieces: cube
+                .pieces
+                .iter()
+                .enumerate()
+                .map(|(index, piece)| piece.cells(index).collect())
+                .collect(),
+        }
     }
 }
 
@@ -255,18 +265,16 @@ fn checked(
             return Err((CORNERS + 18 * number, text));
         }
     }
+    // The order of the faces, and the corner each begins with, are the program's own business.
+    let mut missing: Vec<_> = shape.faces.iter().map(|face| turned_to_least(face)).collect();
     for (number, face) in faces.iter().enumerate() {
         let found = cycle(face);
-        let known = shape
-            .faces
-            .iter()
-            .any(|right| found.as_deref() == Some(*right) || found == turned_to_least(right));
-        let before = faces.iter().take(number).any(|other| cycle(other) == found);
-        if !known || before {
+        let Some(place) = missing.iter().position(|face| *face == found) else {
             let text =
                 format!("face {} is none of the faces of this piece, or one of them again", number + 1);
             return Err((FACES + FACE * number, text));
-        }
+        };
+        missing.swap_remove(place);
     }
     Ok(piece)
 }
@@ -320,6 +328,14 @@ fn turned_to_least(corners: &[u8]) -> Option<Vec<u8>> {
     let mut turned = corners.to_vec();
     turned.rotate_left(least);
     Some(turned)
+}
+
+/// The number of a cell of the table, below [`TABLE_CELLS`].
+fn on_table(cell: [i8; 3]) -> Option<usize> {
+    cell.iter().zip(TABLE).try_fold(0, |place, (&v, size)| {
+        let v = usize::try_from(v).ok().filter(|_| v < size)?;
+        Some(place * usize::from(size.unsigned_abs()) + v)
+    })
 }
 
 /// Saturating, so that wild numbers end outside the table.

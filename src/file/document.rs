@@ -11,8 +11,8 @@ pub enum Document {
     PlanePoints(PlanePoints),
     /// `.EC2` without its twin.
     Tangents(Tangents),
-    /// `.GBP`: coefficients of a Fourier curve.
-    Fourier(Fourier),
+    /// `.GBP`: coefficients of a Fourier curve; boxed, for it is far larger than the others.
+    Fourier(Box<Fourier>),
     /// `.IP3`: control points in space.
     SpacePoints(SpacePoints),
     /// `.FHC` to `.ZYP`: a control net.
@@ -38,7 +38,7 @@ impl Document {
         }
         match format {
             Format::Ec2 => Tangents::read(bytes).map(Self::Tangents),
-            Format::Gbp => Fourier::read(bytes).map(Self::Fourier),
+            Format::Gbp => Fourier::read(bytes).map(Box::new).map(Self::Fourier),
             Format::Ip3 => SpacePoints::read(bytes).map(Self::SpacePoints),
             Format::Gyk => BeadWheel::read(bytes).map(Self::BeadWheel),
             Format::Csk => CsangoCube::read(bytes).map(Self::CsangoCube),

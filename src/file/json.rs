@@ -28,7 +28,7 @@ impl Document {
         let document = match format {
             Format::Ip2 | Format::Ic2 => fields(text).map(Self::PlanePoints),
             Format::Ec2 => fields(text).map(Self::Tangents),
-            Format::Gbp => fields(text).map(Self::Fourier),
+            Format::Gbp => fields(text).map(Box::new).map(Self::Fourier),
             Format::Ip3 => fields(text).map(Self::SpacePoints),
             Format::Gyk => fields(text).map(Self::BeadWheel),
             Format::Csk => fields(text).map(Self::CsangoCube),
@@ -51,7 +51,7 @@ impl Document {
         let compact = match self {
             Self::PlanePoints(value) => tagged(format, value),
             Self::Tangents(value) => tagged(format, value),
-            Self::Fourier(value) => tagged(format, value),
+            Self::Fourier(value) => tagged(format, value.as_ref()),
             Self::SpacePoints(value) => tagged(format, value),
             Self::Net(value) => tagged(format, value),
             Self::BeadWheel(value) => tagged(format, value),

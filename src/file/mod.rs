@@ -4,11 +4,25 @@
 //! [`Document::write`] gives a file that the DOS program reads and draws rightly. JSON holds everything
 //! that a document can, also what the DOS format has no place for: settings, fractions, more points.
 //! Nothing is opened or saved here; [`crate::machine`] does that.
+//!
+//! ```
+//! use grafika::file::{Document, FileError, FileKind, Format, convert};
+//!
+//! let text = "{\"format\": \"IP2\", \"points\": [[60, 80], [250, 200.5]], \"settings\": {\"closed\": true}}";
+//! let document = Document::from_json(text)?.without_settings();
+//! let refusal = document.write(Format::Ip2).unwrap_err().to_string();
+//! assert_eq!(refusal, "does not fit into .IP2: point 2: y = 200.5; it holds whole numbers 0..=380");
+//!
+//! let bytes = convert(b"x,y\n60,80\n250,200\n", FileKind::Csv, FileKind::Dos(Format::Ip2))?;
+//! assert_eq!(bytes.len(), 1300);
+//! assert_eq!(Document::read(Format::Ip2, &bytes)?.describe()[1], "x 60 .. 250, y 80 .. 200");
+//! # Ok::<(), FileError>(())
+//! ```
 
 mod check;
 mod convert;
 mod csv;
-mod cube;
+pub mod cube;
 mod cube_shapes;
 mod document;
 mod error;
@@ -21,11 +35,10 @@ mod plane;
 mod settings;
 mod space;
 mod view;
-mod wheel;
+pub mod wheel;
 
 pub use convert::{FileKind, convert};
-pub use cube::{CsangoCube, CubePiece, ROTATIONS};
-pub use cube_shapes::{PIECES, PieceShape, TABLE, shape};
+pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;
 pub use error::FileError;
 pub use format::Format;
@@ -34,4 +47,4 @@ pub use net::{Net, NetKind};
 pub use plane::{FIELD, MAX_POINTS, PlanePoints, Tangent, Tangents};
 pub use settings::{CurveSettings, Method, NetSettings};
 pub use space::SpacePoints;
-pub use wheel::{ARMS, BeadWheel, EMPTY, RINGS};
+pub use wheel::BeadWheel;

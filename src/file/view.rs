@@ -31,3 +31,48 @@ impl View {
         (flat, flat * flat.hypot(c))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pascal::Reader;
+
+    /// A view after steps of 3 degrees to the left (or, below zero, to the right) and up.
+    fn rotated([a, b, c]: [f64; 3], left: i32, up: i32) -> View {
+        let (sin, cos) = (3.0 * f64::from(left)).to_radians().sin_cos();
+        let [a, b] = [a * cos - b * sin, a * sin + b * cos];
+        let (sin, cos) = (3.0 * f64::from(up)).to_radians().sin_cos();
+        let flat = a.hypot(b);
+        View([a * cos + a * c / flat * sin, b * cos + b * c / flat * sin, c * cos - flat * sin])
+    }
+
+    #[test]
+    fn places_that_the_dos_programs_saved() {
+        let heights = include_bytes!("../../tests/files/TESZT.FEM");
+        let sphere = include_bytes!("../../tests/files/TESZT.ZMS");
+        let hermite = include_bytes!("../../tests/files/TESZT.FHC");
+        for (bytes, view, drawn) in [
+            (heights, rotated([0.3, -0.7, 0.2], -55, 8), 40),
+            (sphere, rotated([0.3, -0.7, 0.2], 1, 2), 40),
+            (hermite, rotated([0.4, -0.7, 0.2], 5, 34), 4),
+        ] {
+            let mut reader = Reader::new(bytes);
+            let mut found = 0;
+            for record in 0..40 {
+                let mut coordinate = || f64::from(reader.single().unwrap());
+                let point = [coordinate(), coordinate(), coordinate()];
+                let place = [reader.i16().unwrap(), reader.i16().unwrap()];
+                if place != [0; 2] {
+                    assert_eq!(view.screen(point), place, "record {record}");
+                    found += 1;
+                }
+            }
+            assert_eq!(found, drawn);
+        }
+    }
+
+    #[test]
+    fn far_places_are_cut() {
+        assert_eq!(View([1.0, 0.0, 0.0]).screen([0.0, 1e300, -1e300]), [i16::MAX, i16::MAX]);
+    }
+}
