@@ -189,3 +189,134 @@ impl Screen {
         self.polyline(&[(x1, y1), (x2, y1), (x2, y2), (x1, y2), (x1, y1)], stroke);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::assert_art;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn thin_lines() {
+        let mut screen = Screen::new();
+        screen.line(0, 0, 7, 3, Stroke::thin(Color::White));
+        screen.line(9, 4, 9, 0, Stroke::thin(Color::Green));
+        screen.line(0, 4, 3, 4, Stroke::thin(Color::Red));
+        assert_art(
+            &screen,
+            "FF.......2
+             ..FF.....2
+             ....FF...2
+             ......FF.2
+             4444.....2",
+        );
+    }
+
+    #[test]
+    fn thick_lines_are_three_pixels_across() {
+        let mut screen = Screen::new();
+        screen.line(1, 1, 4, 1, Stroke::thick(Color::White));
+        screen.line(7, 1, 7, 4, Stroke::thick(Color::Green));
+        screen.line(1, 5, 4, 6, Stroke::thick(Color::Red));
+        assert_art(
+            &screen,
+            ".FFFF.....
+             .FFFF.222.
+             .FFFF.222.
+             ......222.
+             .44...222.
+             .4444.....
+             .4444.....
+             ...44.....",
+        );
+    }
+
+    #[test]
+    fn dots_come_in_pairs() {
+        let mut screen = Screen::new();
+        screen.line(10, 0, 1, 0, Stroke::thin(Color::White).dotted());
+        screen.line(1, 1, 9, 5, Stroke::thin(Color::Red).dotted());
+        assert_art(
+            &screen,
+            ".F..FF..FF.
+             .4.........
+             ..4........
+             .....4.....
+             ......4....
+             .........4.",
+        );
+    }
+
+    #[test]
+    fn rectangle_is_its_four_sides() {
+        let mut screen = Screen::new();
+        screen.rectangle(5, 3, 1, 1, Stroke::thin(Color::White));
+        assert_art(&screen, ".......\n.FFFFF.\n.F...F.\n.FFFFF.\n.......");
+    }
+
+    /// Bresenham's algorithm pixel by pixel over the whole line.
+    fn slow_line(screen: &mut Screen, from: (i32, i32), to: (i32, i32), stroke: Stroke) {
+        let (dx, dy) = ((to.0 - from.0).abs(), (to.1 - from.1).abs());
+        let (sx, sy) = ((to.0 - from.0).signum(), (to.1 - from.1).signum());
+        let level = dx >= dy;
+        let (long, short) = if level { (dx, dy) } else { (dy, dx) };
+        let (mut x, mut y, mut error) = (from.0, from.1, 2 * short - long);
+        for step in 0..=long {
+            let count = match (dx, dy) {
+                (_, 0) => x,
+                (0, _) => y,
+                _ => step,
+            };
+            if stroke.pattern == Pattern::Solid || count.rem_euclid(4) < 2 {
+                let half = i32::from(stroke.width == Width::Thick);
+                for side in -half..=half {
+                    let (px, py) = if level { (x, y + side) } else { (x + side, y) };
+                    screen.set(px, py, stroke.color);
+                }
+            }
+            if error >= 0 && short > 0 {
+                (x, y, error) = (x + sx, y + sy, error + 2 * (short - long));
+            } else {
+                (x, y) = if level { (x + sx, y) } else { (x, y + sy) };
+                error += 2 * short;
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(256))]
+        #[test]
+        fn clipped_lines_have_the_pixels_of_whole_ones(
+            from in (-900..1500, -800..1300), to in (-900..1500, -800..1300),
+            close: bool, thick: bool, dotted: bool,
+        ) {
+            let to = if close { (from.0 + to.0 % 9, from.1 + to.1 % 9) } else { to };
+            let stroke = if thick { Stroke::thick(Color::White) } else { Stroke::thin(Color::White) };
+            let stroke = if dotted { stroke.dotted() } else { stroke };
+            let (mut slow, mut fast) = (Screen::new(), Screen::new());
+            slow_line(&mut slow, from, to, stroke);
+            fast.line(from.0, from.1, to.0, to.1, stroke);
+            prop_assert!(slow == fast, "from {from:?} to {to:?}");
+        }
+
+        /// The pixel of a level line in a column is the nearest one, in exact arithmetic.
+        #[test]
+        fn endless_lines_pass_through_the_nearest_pixels(x1: i32, y1: i32, x2: i32, y2: i32) {
+            let mut screen = Screen::new();
+            screen.line(x1, y1, x2, y2, Stroke::thin(Color::White));
+            let (dx, dy) = (i128::from(x2) - i128::from(x1), i128::from(y2) - i128::from(y1));
+            let columns = i128::from(x1.min(x2))..=i128::from(x1.max(x2));
+            for x in 0..WIDTH {
+                if dx.abs() < dy.abs() || !columns.contains(&x.into()) {
+                    continue;
+                }
+                for y in 0..HEIGHT {
+                    let off = (i128::from(y) - i128::from(y1)) * dx - (i128::from(x) - i128::from(x1)) * dy;
+                    let drawn = screen.pixel(x, y) == Some(Color::White);
+                    prop_assert!(!drawn || 2 * off.abs() <= dx.abs());
+                    prop_assert!(drawn || 2 * off.abs() >= dx.abs());
+                }
+            }
+        }
+    }
+}
