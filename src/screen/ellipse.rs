@@ -85,7 +85,7 @@ impl Sweep {
     fn contains(&self, angle: f64) -> bool {
         // A hair's breadth, so that the last step of an arc is not lost to rounding.
         const HAIR: f64 = 1e-9;
-        (angle - self.start + HAIR).rem_euclid(TAU) <= self.length + 2.0 * HAIR
+        self.length >= TAU || (angle - self.start + HAIR).rem_euclid(TAU) <= self.length + 2.0 * HAIR
     }
 }
 

@@ -111,6 +111,32 @@ impl Walk {
             + i128::from(value.rem_euclid(2 * i128::from(self.minor)) != 0);
         step.clamp(0, i128::from(self.major) + 1) as i64
     }
+
+    /// Calls `plot` for every visible step with the number that dots are counted by, the minor
+    /// coordinate, and the place of the pixel in memory.
+    #[inline]
+    fn visit(&self, sizes: (i64, i64), pitch: (i64, i64), margin: i64, mut plot: impl FnMut(i64, i64, i64)) {
+        let steps = self.visible(sizes, margin);
+        if steps.is_empty() {
+            return;
+        }
+        let (shift, mut rest) = self.shift(steps.start);
+        let mut minor = self.start.1 + self.sign.1 * shift;
+        let mut at = (self.start.0 + self.sign.0 * steps.start) * pitch.0 + minor * pitch.1;
+        // Dots are counted by a coordinate of the screen on upright and level lines.
+        let (first, turn) = if self.minor == 0 { (self.start.0, self.sign.0) } else { (0, 1) };
+        let (ahead, aside) = (self.sign.0 * pitch.0, self.sign.1 * pitch.1);
+        for step in steps {
+            plot(first + turn * step, minor, at);
+            at += ahead;
+            rest += 2 * self.minor;
+            if rest >= 2 * self.major {
+                rest -= 2 * self.major;
+                minor += self.sign.1;
+                at += aside;
+            }
+        }
+    }
 }
 
 /// The numbers of unit moves in direction `sign` that take `start` into `low..=high`.
@@ -136,39 +162,35 @@ impl Screen {
     /// Draws the visible steps of a line. `sizes` are the screen's and `pitch` the distances of
     /// neighbouring pixels in memory, both as (major, minor).
     fn walk(&mut self, walk: &Walk, sizes: (i64, i64), pitch: (i64, i64), stroke: Stroke) {
-        let half = match stroke.width {
-            Width::Thin => 0,
-            Width::Thick => 1,
-        };
-        let steps = walk.visible(sizes, half);
-        if steps.is_empty() {
-            return;
+        match stroke.width {
+            Width::Thin => self.walk_wide::<0>(walk, sizes, pitch, stroke),
+            Width::Thick => self.walk_wide::<1>(walk, sizes, pitch, stroke),
         }
-        let (shift, mut rest) = walk.shift(steps.start);
-        let mut minor = walk.start.1 + walk.sign.1 * shift;
-        let mut at = (walk.start.0 + walk.sign.0 * steps.start) * pitch.0 + minor * pitch.1;
-        // What the dots are counted by: a coordinate of the screen on upright and level lines.
-        let (phase, count) = if walk.minor == 0 { (walk.start.0, walk.sign.0) } else { (0, 1) };
+    }
+
+    /// Draws a line with `HALF` pixels, 0 or 1, on both sides of its middle.
+    fn walk_wide<const HALF: i64>(
+        &mut self,
+        walk: &Walk,
+        sizes: (i64, i64),
+        pitch: (i64, i64),
+        stroke: Stroke,
+    ) {
         let color = stroke.color.index();
-        for step in steps {
-            if stroke.pattern == Pattern::Solid || (phase + count * step) & 2 == 0 {
-                for side in -half..=half {
-                    if (0..sizes.1).contains(&(minor + side)) {
+        let solid = stroke.pattern == Pattern::Solid;
+        walk.visit(sizes, pitch, HALF, |count, minor, at| {
+            if solid || count & 2 == 0 {
+                for side in [-1, 0, 1] {
+                    if i64::abs(side) <= HALF && (0..sizes.1).contains(&(minor + side)) {
                         self.paint(at + side * pitch.1, color);
                     }
                 }
             }
-            at += walk.sign.0 * pitch.0;
-            rest += 2 * walk.minor;
-            if rest >= 2 * walk.major {
-                rest -= 2 * walk.major;
-                minor += walk.sign.1;
-                at += walk.sign.1 * pitch.1;
-            }
-        }
+        });
     }
 
     /// Sets the pixel at a place in memory.
+    #[inline]
     fn paint(&mut self, at: i64, color: u8) {
         if let Some(pixel) = usize::try_from(at).ok().and_then(|at| self.pixels.get_mut(at)) {
             *pixel = color;

@@ -171,8 +171,13 @@ fn decompose(ch: char) -> (char, Option<Accent>) {
 #[must_use]
 pub fn title_size(text: &str, size: u8) -> (i32, i32) {
     let scale = scale(size);
-    let width: f64 = text.chars().map(|ch| Glyph::new(ch).advance()).sum();
-    ((width * scale).round() as i32, ((ASCENT + DESCENT) * scale).round() as i32)
+    let glyphs: Vec<Glyph> = text.chars().map(Glyph::new).collect();
+    (length(&glyphs, scale) as i32, ((ASCENT + DESCENT) * scale).round() as i32)
+}
+
+/// Length of a line of glyphs in whole pixels.
+fn length(glyphs: &[Glyph], scale: f64) -> f64 {
+    (glyphs.iter().map(Glyph::advance).sum::<f64>() * scale).round()
 }
 
 impl Screen {
@@ -183,7 +188,8 @@ impl Screen {
     pub fn title(&mut self, x: i32, y: i32, text: &str, color: Color, size: u8, direction: Direction) {
         let scale = scale(size);
         let base = (ASCENT * scale).floor();
-        let length = f64::from(title_size(text, size).0);
+        let glyphs: Vec<Glyph> = text.chars().map(Glyph::new).collect();
+        let length = length(&glyphs, scale);
         let place = |along: f64, up: f64| {
             let (dx, dy) = match direction {
                 Direction::Horizontal => (along.round(), base - up.round()),
@@ -192,7 +198,7 @@ impl Screen {
             (x.saturating_add(dx as i32), y.saturating_add(dy as i32))
         };
         let mut pen = 0.0;
-        for glyph in text.chars().map(Glyph::new) {
+        for glyph in &glyphs {
             for stroke in &glyph.strokes {
                 let points: Vec<_> = stroke
                     .iter()
