@@ -9,6 +9,10 @@ use super::{Color, HEIGHT, Screen, Stroke, WIDTH, Width};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::ops::RangeInclusive;
 
+/// Halves of pixels, which come at 30 and 60 degrees, are rounded down in x and up in y, whatever the
+/// last digits of sine and cosine are.
+const TIE: f64 = 1e-7;
+
 /// A quarter of an ellipse around (0, 0).
 struct Quarter {
     rx: f64,
@@ -36,7 +40,7 @@ impl Quarter {
     /// The pixel of a step.
     fn pixel(&self, step: i64) -> (i64, i64) {
         let (sin, cos) = self.angle(step).sin_cos();
-        ((self.rx * cos).round_ties_even() as i64, (self.ry * sin).round_ties_even() as i64)
+        ((self.rx * cos - TIE).round() as i64, (self.ry * sin + TIE).round() as i64)
     }
 
     /// The outermost pixel of the quarter in the row at distance `y` from the centre.
@@ -81,7 +85,7 @@ impl Sweep {
     fn contains(&self, angle: f64) -> bool {
         // A hair's breadth, so that the last step of an arc is not lost to rounding.
         const HAIR: f64 = 1e-9;
-        (angle - self.start + HAIR).rem_euclid(TAU) <= self.length + 2.0 * HAIR
+        self.length >= TAU || (angle - self.start + HAIR).rem_euclid(TAU) <= self.length + 2.0 * HAIR
     }
 }
 
@@ -139,12 +143,11 @@ impl Screen {
         if quarter.is_dot() {
             return self.set(x, y, outline);
         }
-        for row in 0..HEIGHT {
+        let height = quarter.ry as i32;
+        for row in y.saturating_sub(height).max(0)..=y.saturating_add(height).min(HEIGHT - 1) {
             let distance = (i64::from(row) - i64::from(y)).abs();
-            if distance <= quarter.ry as i64 {
-                let reach = quarter.reach(distance).min(i64::from(i32::MAX)) as i32;
-                self.span(x.saturating_sub(reach), x.saturating_add(reach), row, fill);
-            }
+            let reach = quarter.reach(distance).min(i64::from(i32::MAX)) as i32;
+            self.span(x.saturating_sub(reach), x.saturating_add(reach), row, fill);
         }
         self.outline(x, y, &quarter, Sweep::FULL, outline);
     }
@@ -179,6 +182,152 @@ impl Screen {
                     self.set(px as i32, py as i32, color);
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::assert_art;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn control_point_disc() {
+        let mut screen = Screen::new();
+        screen.disc(10, 10, 10, Color::DarkGray, Color::White);
+        assert_art(&screen, DISC_10);
+    }
+
+    const DISC_10: &str = "
+        .......FFFFFFF.......
+        .....FFF88888FFF.....
+        ...FF88888888888FF...
+        ..FF8888888888888FF..
+        ..F888888888888888F..
+        .F88888888888888888F.
+        .F88888888888888888F.
+        FF88888888888888888FF
+        F8888888888888888888F
+        F8888888888888888888F
+        F8888888888888888888F
+        F8888888888888888888F
+        F8888888888888888888F
+        FF88888888888888888FF
+        .F88888888888888888F.
+        .F88888888888888888F.
+        ..F888888888888888F..
+        ..FF8888888888888FF..
+        ...FF88888888888FF...
+        .....FFF88888FFF.....
+        .......FFFFFFF.......";
+
+    #[test]
+    fn small_disc_and_dot() {
+        let mut screen = Screen::new();
+        screen.disc(3, 3, 3, Color::LightGray, Color::White);
+        screen.disc(9, 3, 1, Color::LightGray, Color::White);
+        assert_art(&screen, DISC_3);
+    }
+
+    const DISC_3: &str = "
+        ..FFF......
+        .F777F.....
+        F77777F....
+        F77777F..F.
+        F77777F....
+        .F777F.....
+        ..FFF......";
+
+    #[test]
+    fn arc_of_the_turning_arrow() {
+        let mut screen = Screen::new();
+        screen.ellipse(8, 8, 4, 8, 30, 330, Stroke::thin(Color::LightRed));
+        assert_art(&screen, ARC);
+    }
+
+    const ARC: &str = "
+        .......CCC....
+        ......C...C...
+        .....CC...CC..
+        .....C.....C..
+        .....C.....C..
+        ....C.........
+        ....C.........
+        ....C.........
+        ....C.........
+        ....C.........
+        ....C.........
+        ....C.........
+        .....C.....C..
+        .....C.....C..
+        .....CC...CC..
+        ......C...C...
+        .......CCC....";
+
+    #[test]
+    fn thick_circle_is_three_thin_ones() {
+        let (mut thick, mut thin) = (Screen::new(), Screen::new());
+        thick.circle(100, 100, 30, Stroke::thick(Color::Green));
+        for r in 29..=31 {
+            thin.circle(100, 100, r, Stroke::thin(Color::Green));
+        }
+        assert_eq!(thick, thin);
+    }
+
+    #[test]
+    fn arcs_make_up_the_circle() {
+        let (mut arcs, mut circle) = (Screen::new(), Screen::new());
+        let stroke = Stroke::thin(Color::Green);
+        for (start, end) in [(-30, 30), (30, 200), (200, 330)] {
+            arcs.arc(300, 200, 57, start, end, stroke);
+        }
+        circle.circle(300, 200, 57, stroke);
+        assert_eq!(arcs, circle);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        /// Shifting an ellipse out of the screen cuts it and changes nothing else.
+        #[test]
+        fn clipping_only_cuts(
+            x in -300..900, y in -300..700, rx in 0..200, ry in 0..200, start in 0..360, end in 0..360,
+        ) {
+            let (mut whole, mut cut) = (Screen::new(), Screen::new());
+            whole.ellipse_filled(320, 240, rx, ry, Color::Red, Color::White);
+            whole.ellipse(320, 240, rx, ry, start, end, Stroke::thick(Color::Blue));
+            cut.ellipse_filled(x, y, rx, ry, Color::Red, Color::White);
+            cut.ellipse(x, y, rx, ry, start, end, Stroke::thick(Color::Blue));
+            for (px, py) in (0..640).flat_map(|px| (0..480).step_by(3).map(move |py| (px, py))) {
+                if let Some(color) = whole.pixel(px - x + 320, py - y + 240) {
+                    prop_assert_eq!(cut.pixel(px, py), Some(color));
+                }
+            }
+        }
+
+        /// Every pixel of an outline of any size is within a pixel of the ellipse.
+        #[test]
+        fn pixels_lie_on_the_circle(x in -9_000_000..9_000_000, toward in 0..640, y in -900..900) {
+            let r: i32 = i32::abs(toward - x).max(1);
+            let mut screen = Screen::new();
+            screen.circle(x, y, r, Stroke::thin(Color::White));
+            let mut count = 0;
+            for (px, py) in (0..640).flat_map(|px| (0..480).map(move |py| (px, py))) {
+                if screen.pixel(px, py) == Some(Color::White) {
+                    count += 1;
+                    let distance = f64::from(px - x).hypot(f64::from(py - y));
+                    prop_assert!((distance - f64::from(r)).abs() < 0.75);
+                }
+            }
+            prop_assert!(count > 0 || !(0..480).contains(&y));
+        }
+
+        #[test]
+        fn any_ellipse_is_clipped(x: i32, y: i32, rx: i32, ry: i32, start: i32, end: i32) {
+            let mut screen = Screen::new();
+            screen.ellipse(x, y, rx, ry, start, end, Stroke::thick(Color::White));
+            screen.ellipse(x % 1000, y % 1000, rx, ry, start, end, Stroke::thick(Color::White));
+            screen.ellipse_filled(x % 1000, y % 1000, rx, ry % 1000, Color::Red, Color::White);
         }
     }
 }

@@ -69,14 +69,57 @@ const fn index_into<const N: usize>(mut index: [(u16, u16); N]) -> ([(u16, u16);
     (index, count)
 }
 
-/// The eight rows of a letter from the top, the leftmost pixel in the highest bit; `None` when the
-/// VGA's ROM letters do not have the character.
+/// The eight rows of a letter from the top, the leftmost pixel in the highest bit; `None` when there
+/// is no letter for the character.
 #[must_use]
 pub fn glyph(ch: char) -> Option<[u8; 8]> {
-    let code = u16::try_from(u32::from(ch)).ok()?;
-    let found = INDEX.binary_search_by_key(&code, |entry| entry.0).ok()?;
-    let start = HEADER + usize::from(INDEX.get(found)?.1) * SIZE as usize;
+    let number = match redrawn(ch) {
+        Some(rows) => return Some(rows),
+        None => corrected(ch).or_else(|| listed(ch))?,
+    };
+    let start = HEADER + usize::from(number) * SIZE as usize;
     FONT.get(start..start + SIZE as usize)?.try_into().ok()
+}
+
+/// The number of a character's glyph by the font's table. The table's Greek letters point to glyphs
+/// that are none, so they do not count.
+fn listed(ch: char) -> Option<u16> {
+    if ('\u{370}'..='\u{3FF}').contains(&ch) {
+        return None;
+    }
+    let code = u16::try_from(u32::from(ch)).ok()?;
+    let place = INDEX.binary_search_by_key(&code, |entry| entry.0).ok()?;
+    INDEX.get(place).map(|entry| entry.1)
+}
+
+/// The glyphs of characters for which the font's table gives wrong ones or none.
+fn corrected(ch: char) -> Option<u16> {
+    Some(match ch {
+        'α' => 461,
+        'Γ' | 'Г' => 462,
+        'δ' => 469,
+        'ε' | '∈' => 470,
+        'Θ' => 467,
+        'μ' => 464,
+        'π' => 463,
+        'Σ' | '∑' => 235,
+        'σ' => 238,
+        'τ' => 465,
+        'Φ' | 'Ф' => 466,
+        'Ω' => 468,
+        '∩' => 471,
+        '≡' => 227,
+        _ => return None,
+    })
+}
+
+/// Letters that the font lacks, or draws so that they cannot be read: its ő looks like an 8.
+fn redrawn(ch: char) -> Option<[u8; 8]> {
+    match ch {
+        'ő' => Some([0x66, 0xCC, 0x00, 0x7C, 0xC6, 0xC6, 0x7C, 0x00]),
+        '…' => Some([0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xDB, 0x00]),
+        _ => None,
+    }
 }
 
 /// A letter on the screen.
@@ -172,5 +215,124 @@ impl Screen {
                 .zip([0x80, 0x40, 0x20, 0x10, 8, 4, 2, 1])
                 .all(|(x, bit)| (self.pixel(x, y) == Some(letter.color)) == (bits & bit != 0))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::assert_art;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn hungarian_letters_can_be_told_apart() {
+        let mut screen = Screen::new();
+        screen.text(0, 0, "oöőuüű", Color::White);
+        assert_art(&screen, OU);
+    }
+
+    const OU: &str = "
+        ........FF...FF..FF..FF.........FF..FF...FF..FF.
+        ................FF..FF..................FF..FF..
+        .FFFFF...FFFFF..........FF..FF..FF..FF..........
+        FF...FF.FF...FF..FFFFF..FF..FF..FF..FF..FF..FF..
+        FF...FF.FF...FF.FF...FF.FF..FF..FF..FF..FF..FF..
+        FF...FF.FF...FF.FF...FF.FF..FF..FF..FF..FF..FF..
+        .FFFFF...FFFFF...FFFFF...FFF.FF..FFF.FF..FFF.FF.
+        ................................................";
+
+    #[test]
+    fn every_character_of_the_book_has_a_letter() {
+        let ascii: String = (' '..='~').collect();
+        let more = "áéíóöőúüűÁÉÍÓÖŐÚÜŰΣπ°²·←↑→↓–—“”„…±≡≤≥≈√─│┌┐└┘█░▒▓■☺";
+        for ch in ascii.chars().chain(more.chars()) {
+            assert!(glyph(ch).is_some(), "no letter for {ch:?}");
+        }
+        assert_eq!(glyph('\u{4E2D}'), None);
+        assert_eq!(glyph('🙂'), None);
+        assert_eq!(glyph('ψ'), None);
+    }
+
+    #[test]
+    fn glyphs_are_found_in_a_sorted_table() {
+        assert!(INDEX.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+        assert_eq!(glyph('A'), Some([0x38, 0x6C, 0xC6, 0xFE, 0xC6, 0xC6, 0xC6, 0x00]));
+    }
+
+    #[test]
+    fn greek_and_boxes() {
+        let mut screen = Screen::new();
+        screen.text(0, 0, "Σπ…中", Color::White);
+        assert_art(&screen, GREEK);
+    }
+
+    const GREEK: &str = "
+        FFFFFFF..................FFFFFF.
+        FF...FF..................F....F.
+        .FF.....FFFFFFF..........F....F.
+        ..FF.....FF.FF...........F....F.
+        .FF......FF.FF...........F....F.
+        FF...FF..FF.FF...........F....F.
+        FFFFFFF..FF.FF..FF.FF.FF.FFFFFF.
+        ................................";
+
+    fn shown(screen: &Screen) -> String {
+        screen.letters().map(|letter| letter.ch).collect()
+    }
+
+    #[test]
+    fn untouched_letters_are_reported_in_reading_order() {
+        let mut screen = Screen::new();
+        screen.text(50, 40, "second", Color::Red);
+        screen.text(300, 20, "the first", Color::White);
+        assert_eq!(shown(&screen), "thefirstsecond");
+        let first = screen.letters().next();
+        assert_eq!(first, Some(Letter { x: 300, y: 20, ch: 't', color: Color::White }));
+    }
+
+    #[test]
+    fn touched_letters_are_gone() {
+        let mut screen = Screen::new();
+        screen.text(0, 0, "abcd", Color::White);
+        screen.bar(8, 0, 15, 7, Color::Black);
+        screen.bar(24, 0, 31, 7, Color::White);
+        assert_eq!(shown(&screen), "ac");
+        screen.text(0, 0, "x", Color::White);
+        assert_eq!(shown(&screen), "c");
+        screen.clear(Color::Blue);
+        assert_eq!(shown(&screen), "");
+    }
+
+    #[test]
+    fn letters_written_again_are_reported_once() {
+        let mut screen = Screen::new();
+        for round in 0..5000 {
+            screen.bar(0, 0, 639, 100, Color::Cyan);
+            screen.text(round % 200, 3, "Again", Color::Black);
+        }
+        assert_eq!(shown(&screen), "Again");
+        assert!(screen.journal.letters.len() <= JOURNAL_LIMIT);
+    }
+
+    #[test]
+    fn journal_is_bounded_even_when_all_letters_stand() {
+        let mut screen = Screen::new();
+        for (x, y) in (0..630).step_by(3).flat_map(|x| (0..470).step_by(3).map(move |y| (x, y))) {
+            screen.text(x, y, ".", Color::from_index(((x + y) % 16) as u8));
+        }
+        assert!(screen.journal.letters.len() <= JOURNAL_LIMIT);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        #[test]
+        fn any_text_anywhere(x: i32, y: i32, text: String) {
+            let mut screen = Screen::new();
+            screen.text(x, y, &text, Color::White);
+            screen.text(x % 700, y % 500, &text, Color::White);
+            for letter in screen.letters() {
+                prop_assert!(text.contains(letter.ch));
+            }
+        }
     }
 }

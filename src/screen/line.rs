@@ -111,6 +111,32 @@ impl Walk {
             + i128::from(value.rem_euclid(2 * i128::from(self.minor)) != 0);
         step.clamp(0, i128::from(self.major) + 1) as i64
     }
+
+    /// Calls `plot` for every visible step with the number that dots are counted by, the minor
+    /// coordinate, and the place of the pixel in memory.
+    #[inline]
+    fn visit(&self, sizes: (i64, i64), pitch: (i64, i64), margin: i64, mut plot: impl FnMut(i64, i64, i64)) {
+        let steps = self.visible(sizes, margin);
+        if steps.is_empty() {
+            return;
+        }
+        let (shift, mut rest) = self.shift(steps.start);
+        let mut minor = self.start.1 + self.sign.1 * shift;
+        let mut at = (self.start.0 + self.sign.0 * steps.start) * pitch.0 + minor * pitch.1;
+        // Dots are counted by a coordinate of the screen on upright and level lines.
+        let (first, turn) = if self.minor == 0 { (self.start.0, self.sign.0) } else { (0, 1) };
+        let (ahead, aside) = (self.sign.0 * pitch.0, self.sign.1 * pitch.1);
+        for step in steps {
+            plot(first + turn * step, minor, at);
+            at += ahead;
+            rest += 2 * self.minor;
+            if rest >= 2 * self.major {
+                rest -= 2 * self.major;
+                minor += self.sign.1;
+                at += aside;
+            }
+        }
+    }
 }
 
 /// The numbers of unit moves in direction `sign` that take `start` into `low..=high`.
@@ -136,39 +162,35 @@ impl Screen {
     /// Draws the visible steps of a line. `sizes` are the screen's and `pitch` the distances of
     /// neighbouring pixels in memory, both as (major, minor).
     fn walk(&mut self, walk: &Walk, sizes: (i64, i64), pitch: (i64, i64), stroke: Stroke) {
-        let half = match stroke.width {
-            Width::Thin => 0,
-            Width::Thick => 1,
-        };
-        let steps = walk.visible(sizes, half);
-        if steps.is_empty() {
-            return;
+        match stroke.width {
+            Width::Thin => self.walk_wide::<0>(walk, sizes, pitch, stroke),
+            Width::Thick => self.walk_wide::<1>(walk, sizes, pitch, stroke),
         }
-        let (shift, mut rest) = walk.shift(steps.start);
-        let mut minor = walk.start.1 + walk.sign.1 * shift;
-        let mut at = (walk.start.0 + walk.sign.0 * steps.start) * pitch.0 + minor * pitch.1;
-        // What the dots are counted by: a coordinate of the screen on upright and level lines.
-        let (phase, count) = if walk.minor == 0 { (walk.start.0, walk.sign.0) } else { (0, 1) };
+    }
+
+    /// Draws a line with `HALF` pixels, 0 or 1, on both sides of its middle.
+    fn walk_wide<const HALF: i64>(
+        &mut self,
+        walk: &Walk,
+        sizes: (i64, i64),
+        pitch: (i64, i64),
+        stroke: Stroke,
+    ) {
         let color = stroke.color.index();
-        for step in steps {
-            if stroke.pattern == Pattern::Solid || (phase + count * step) & 2 == 0 {
-                for side in -half..=half {
-                    if (0..sizes.1).contains(&(minor + side)) {
+        let solid = stroke.pattern == Pattern::Solid;
+        walk.visit(sizes, pitch, HALF, |count, minor, at| {
+            if solid || count & 2 == 0 {
+                for side in [-1, 0, 1] {
+                    if i64::abs(side) <= HALF && (0..sizes.1).contains(&(minor + side)) {
                         self.paint(at + side * pitch.1, color);
                     }
                 }
             }
-            at += walk.sign.0 * pitch.0;
-            rest += 2 * walk.minor;
-            if rest >= 2 * walk.major {
-                rest -= 2 * walk.major;
-                minor += walk.sign.1;
-                at += walk.sign.1 * pitch.1;
-            }
-        }
+        });
     }
 
     /// Sets the pixel at a place in memory.
+    #[inline]
     fn paint(&mut self, at: i64, color: u8) {
         if let Some(pixel) = usize::try_from(at).ok().and_then(|at| self.pixels.get_mut(at)) {
             *pixel = color;
@@ -187,5 +209,136 @@ impl Screen {
     /// Draws the four sides of a rectangle, given by two opposite corners in any order.
     pub fn rectangle(&mut self, x1: i32, y1: i32, x2: i32, y2: i32, stroke: Stroke) {
         self.polyline(&[(x1, y1), (x2, y1), (x2, y2), (x1, y2), (x1, y1)], stroke);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::assert_art;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn thin_lines() {
+        let mut screen = Screen::new();
+        screen.line(0, 0, 7, 3, Stroke::thin(Color::White));
+        screen.line(9, 4, 9, 0, Stroke::thin(Color::Green));
+        screen.line(0, 4, 3, 4, Stroke::thin(Color::Red));
+        assert_art(
+            &screen,
+            "FF.......2
+             ..FF.....2
+             ....FF...2
+             ......FF.2
+             4444.....2",
+        );
+    }
+
+    #[test]
+    fn thick_lines_are_three_pixels_across() {
+        let mut screen = Screen::new();
+        screen.line(1, 1, 4, 1, Stroke::thick(Color::White));
+        screen.line(7, 1, 7, 4, Stroke::thick(Color::Green));
+        screen.line(1, 5, 4, 6, Stroke::thick(Color::Red));
+        assert_art(
+            &screen,
+            ".FFFF.....
+             .FFFF.222.
+             .FFFF.222.
+             ......222.
+             .44...222.
+             .4444.....
+             .4444.....
+             ...44.....",
+        );
+    }
+
+    #[test]
+    fn dots_come_in_pairs() {
+        let mut screen = Screen::new();
+        screen.line(10, 0, 1, 0, Stroke::thin(Color::White).dotted());
+        screen.line(1, 1, 9, 5, Stroke::thin(Color::Red).dotted());
+        assert_art(
+            &screen,
+            ".F..FF..FF.
+             .4.........
+             ..4........
+             .....4.....
+             ......4....
+             .........4.",
+        );
+    }
+
+    #[test]
+    fn rectangle_is_its_four_sides() {
+        let mut screen = Screen::new();
+        screen.rectangle(5, 3, 1, 1, Stroke::thin(Color::White));
+        assert_art(&screen, ".......\n.FFFFF.\n.F...F.\n.FFFFF.\n.......");
+    }
+
+    /// Bresenham's algorithm pixel by pixel over the whole line.
+    fn slow_line(screen: &mut Screen, from: (i32, i32), to: (i32, i32), stroke: Stroke) {
+        let (dx, dy) = ((to.0 - from.0).abs(), (to.1 - from.1).abs());
+        let (sx, sy) = ((to.0 - from.0).signum(), (to.1 - from.1).signum());
+        let level = dx >= dy;
+        let (long, short) = if level { (dx, dy) } else { (dy, dx) };
+        let (mut x, mut y, mut error) = (from.0, from.1, 2 * short - long);
+        for step in 0..=long {
+            let count = match (dx, dy) {
+                (_, 0) => x,
+                (0, _) => y,
+                _ => step,
+            };
+            if stroke.pattern == Pattern::Solid || count.rem_euclid(4) < 2 {
+                let half = i32::from(stroke.width == Width::Thick);
+                for side in -half..=half {
+                    let (px, py) = if level { (x, y + side) } else { (x + side, y) };
+                    screen.set(px, py, stroke.color);
+                }
+            }
+            if error >= 0 && short > 0 {
+                (x, y, error) = (x + sx, y + sy, error + 2 * (short - long));
+            } else {
+                (x, y) = if level { (x + sx, y) } else { (x, y + sy) };
+                error += 2 * short;
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(256))]
+        #[test]
+        fn clipped_lines_have_the_pixels_of_whole_ones(
+            from in (-900..1500, -800..1300), to in (-900..1500, -800..1300),
+            close: bool, thick: bool, dotted: bool,
+        ) {
+            let to = if close { (from.0 + to.0 % 9, from.1 + to.1 % 9) } else { to };
+            let stroke = if thick { Stroke::thick(Color::White) } else { Stroke::thin(Color::White) };
+            let stroke = if dotted { stroke.dotted() } else { stroke };
+            let (mut slow, mut fast) = (Screen::new(), Screen::new());
+            slow_line(&mut slow, from, to, stroke);
+            fast.line(from.0, from.1, to.0, to.1, stroke);
+            prop_assert!(slow == fast, "from {from:?} to {to:?}");
+        }
+
+        /// The pixel of a level line in a column is the nearest one, in exact arithmetic.
+        #[test]
+        fn endless_lines_pass_through_the_nearest_pixels(x1: i32, y1: i32, x2: i32, y2: i32) {
+            let mut screen = Screen::new();
+            screen.line(x1, y1, x2, y2, Stroke::thin(Color::White));
+            let (dx, dy) = (i128::from(x2) - i128::from(x1), i128::from(y2) - i128::from(y1));
+            let columns = i128::from(x1.min(x2))..=i128::from(x1.max(x2));
+            for x in 0..WIDTH {
+                if dx.abs() < dy.abs() || !columns.contains(&x.into()) {
+                    continue;
+                }
+                for y in 0..HEIGHT {
+                    let off = (i128::from(y) - i128::from(y1)) * dx - (i128::from(x) - i128::from(x1)) * dy;
+                    let drawn = screen.pixel(x, y) == Some(Color::White);
+                    prop_assert!(!drawn || 2 * off.abs() <= dx.abs());
+                    prop_assert!(drawn || 2 * off.abs() >= dx.abs());
+                }
+            }
+        }
     }
 }

@@ -18,17 +18,18 @@ pub struct Masks {
 }
 
 impl Masks {
-    /// The arrow of the mouse driver: white with a black edge, hot at its tip.
+    /// The arrow of the mouse driver: white with a black edge; the hot spot lies diagonally
+    /// before its tip, so that the arrow does not hide it.
     pub const ARROW: Masks = Masks {
         screen: [
             0x3FFF, 0x1FFF, 0x0FFF, 0x07FF, 0x03FF, 0x01FF, 0x00FF, 0x007F, 0x003F, 0x001F, 0x01FF, 0x10FF,
-            0x30FF, 0xF87F, 0xF87F, 0xFC3F,
+            0x30FF, 0xF87F, 0xF87F, 0xFC7F,
         ],
         cursor: [
             0x0000, 0x4000, 0x6000, 0x7000, 0x7800, 0x7C00, 0x7E00, 0x7F00, 0x7F80, 0x7C00, 0x6C00, 0x4600,
             0x0600, 0x0300, 0x0300, 0x0000,
         ],
-        hot: (0, 0),
+        hot: (-1, -1),
     };
 }
 
@@ -45,6 +46,61 @@ impl Screen {
                     self.set(x, y, Put::Xor.apply(color, Color::from_index(mask(inverted))));
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{assert_art, region};
+    use super::*;
+
+    #[test]
+    fn arrow_on_cyan() {
+        let mut screen = Screen::new();
+        screen.clear(Color::Cyan);
+        screen.pointer(0, 0, &Masks::ARROW);
+        assert_art(&screen, ARROW);
+    }
+
+    const ARROW: &str = "
+        33333333333333
+        3..33333333333
+        3.F.3333333333
+        3.FF.333333333
+        3.FFF.33333333
+        3.FFFF.3333333
+        3.FFFFF.333333
+        3.FFFFFF.33333
+        3.FFFFFFF.3333
+        3.FFFFFFFF.333
+        3.FFFFF.....33
+        3.FF.FF.333333
+        3.F.3.FF.33333
+        3..33.FF.33333
+        333333.FF.3333
+        333333.FF.3333
+        3333333...3333
+        33333333333333";
+
+    #[test]
+    fn four_combinations_of_mask_bits() {
+        // The quarters of the book's first cursor, narrowed to four pixels.
+        let masks = Masks { screen: [0x3333; 16], cursor: [0x5555; 16], hot: (0, 0) };
+        let mut screen = Screen::new();
+        screen.clear(Color::Green);
+        screen.pointer(0, 0, &masks);
+        assert_eq!(region(&screen, 0, 0, 3, 0), ".F2D");
+    }
+
+    #[test]
+    fn pointer_is_placed_by_its_hot_spot_and_clipped() {
+        let masks = Masks { screen: [0; 16], cursor: [0xFFFF; 16], hot: (8, 8) };
+        let mut screen = Screen::new();
+        screen.pointer(0, 0, &masks);
+        assert_eq!(screen.pixels().iter().filter(|&&pixel| pixel == 15).count(), 64);
+        for (x, y) in [(i32::MIN, i32::MIN), (i32::MAX, i32::MAX), (i32::MIN, 9)] {
+            screen.pointer(x, y, &masks);
         }
     }
 }

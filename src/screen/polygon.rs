@@ -32,25 +32,18 @@ impl Side {
         let height = i128::from(self.bottom.1 - self.top.1);
         let run = i128::from(self.bottom.0 - self.top.0) * i128::from(y - self.top.1);
         let numerator = i128::from(self.top.0) * height + run;
-        Some(Crossing {
-            floor: numerator.div_euclid(height) as i64,
-            exact: numerator.rem_euclid(height) == 0,
-        })
+        // Between the ends of the side, so these fit.
+        let floor = numerator.div_euclid(height) as i32;
+        Some(Crossing { floor, ceil: floor + i32::from(numerator.rem_euclid(height) != 0) })
     }
 }
 
-/// The place where a side crosses a row: the last pixel not right of it, and whether it lies on it.
+/// The place where a side crosses a row: the pixels next to it on the left and on the right, the same
+/// one when it lies on a pixel.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Crossing {
-    floor: i64,
-    exact: bool,
-}
-
-impl Crossing {
-    /// The first pixel not left of the place.
-    fn ceil(&self) -> i64 {
-        if self.exact { self.floor } else { self.floor + 1 }
-    }
+    floor: i32,
+    ceil: i32,
 }
 
 impl Screen {
@@ -69,12 +62,106 @@ impl Screen {
             crossings.sort_unstable();
             for pair in crossings.chunks_exact(2) {
                 if let [left, right] = pair {
-                    // Crossings lie between two corners, and rows on the screen: both fit.
-                    self.span(left.ceil() as i32, right.floor as i32, y as i32, fill);
+                    self.span(left.ceil, right.floor, y as i32, fill);
                 }
             }
         }
         self.polyline(corners, outline);
         self.line(last.0, last.1, first.0, first.1, outline);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::assert_art;
+    use super::*;
+    use proptest::prelude::*;
+
+    fn art(corners: &[(i32, i32)], expected: &str) {
+        let mut screen = Screen::new();
+        screen.polygon(corners, Color::LightGray, Stroke::thin(Color::White));
+        assert_art(&screen, expected);
+    }
+
+    #[test]
+    fn trapezoid_of_a_raised_frame() {
+        art(
+            &[(4, 1), (1, 4), (12, 4), (9, 1)],
+            "..............
+             ....FFFFFF....
+             ...F777777F...
+             ..F77777777F..
+             .FFFFFFFFFFFF.
+             ..............",
+        );
+    }
+
+    #[test]
+    fn concave_polygon_keeps_its_notch() {
+        art(
+            &[(0, 0), (5, 4), (10, 0), (10, 6), (0, 6)],
+            "F.........F
+             FF.......FF
+             F7FF...FF7F
+             F777F.F777F
+             F7777F7777F
+             F777777777F
+             FFFFFFFFFFF",
+        );
+    }
+
+    #[test]
+    fn parts_enclosed_twice_stay_empty() {
+        art(
+            &[(0, 0), (8, 0), (8, 6), (2, 6), (2, 2), (6, 2), (6, 4), (0, 4)],
+            "FFFFFFFFF
+             F7777777F
+             F7FFFFF7F
+             F7F...F7F
+             FFFFFFF7F
+             ..F77777F
+             ..FFFFFFF",
+        );
+    }
+
+    #[test]
+    fn no_corner_one_corner_two_corners() {
+        art(&[], "..\n..");
+        art(&[(1, 0)], ".F\n..");
+        art(&[(0, 0), (2, 2)], "F..\n.F.\n..F");
+    }
+
+    /// Whether a point lies strictly inside of a triangle.
+    fn inside(corners: &[(i32, i32)], x: i64, y: i64) -> bool {
+        let turns: Vec<i64> = (0..3)
+            .map(|k| {
+                let ((ax, ay), (bx, by)) = (corners[k], corners[(k + 1) % 3]);
+                let (ax, ay, bx, by) = (i64::from(ax), i64::from(ay), i64::from(bx), i64::from(by));
+                (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+            })
+            .collect();
+        turns.iter().all(|&turn| turn > 0) || turns.iter().all(|&turn| turn < 0)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(48))]
+        #[test]
+        fn triangles_are_filled(corners in prop::collection::vec((-900..1500, -700..1200), 3)) {
+            let mut screen = Screen::new();
+            screen.polygon(&corners, Color::LightGray, Stroke::thin(Color::White));
+            for (x, y) in (0..640).step_by(7).flat_map(|x| (0..480).step_by(5).map(move |y| (x, y))) {
+                let color = screen.pixel(x, y);
+                if inside(&corners, i64::from(x), i64::from(y)) {
+                    prop_assert_ne!(color, Some(Color::Black));
+                } else {
+                    prop_assert_ne!(color, Some(Color::LightGray));
+                }
+            }
+        }
+
+        #[test]
+        fn any_polygon_is_clipped(corners in prop::collection::vec(any::<(i32, i32)>(), 0..9)) {
+            Screen::new().polygon(&corners, Color::Red, Stroke::thick(Color::White));
+        }
     }
 }

@@ -171,8 +171,13 @@ fn decompose(ch: char) -> (char, Option<Accent>) {
 #[must_use]
 pub fn title_size(text: &str, size: u8) -> (i32, i32) {
     let scale = scale(size);
-    let width: f64 = text.chars().map(|ch| Glyph::new(ch).advance()).sum();
-    ((width * scale).round() as i32, ((ASCENT + DESCENT) * scale).round() as i32)
+    let glyphs: Vec<Glyph> = text.chars().map(Glyph::new).collect();
+    (length(&glyphs, scale) as i32, ((ASCENT + DESCENT) * scale).round() as i32)
+}
+
+/// Length of a line of glyphs in whole pixels.
+fn length(glyphs: &[Glyph], scale: f64) -> f64 {
+    (glyphs.iter().map(Glyph::advance).sum::<f64>() * scale).round()
 }
 
 impl Screen {
@@ -183,7 +188,8 @@ impl Screen {
     pub fn title(&mut self, x: i32, y: i32, text: &str, color: Color, size: u8, direction: Direction) {
         let scale = scale(size);
         let base = (ASCENT * scale).floor();
-        let length = f64::from(title_size(text, size).0);
+        let glyphs: Vec<Glyph> = text.chars().map(Glyph::new).collect();
+        let length = length(&glyphs, scale);
         let place = |along: f64, up: f64| {
             let (dx, dy) = match direction {
                 Direction::Horizontal => (along.round(), base - up.round()),
@@ -192,7 +198,7 @@ impl Screen {
             (x.saturating_add(dx as i32), y.saturating_add(dy as i32))
         };
         let mut pen = 0.0;
-        for glyph in text.chars().map(Glyph::new) {
+        for glyph in &glyphs {
             for stroke in &glyph.strokes {
                 let points: Vec<_> = stroke
                     .iter()
@@ -204,6 +210,97 @@ impl Screen {
                 self.polyline(&points, Stroke::thin(color));
             }
             pen += glyph.advance();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::region;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The smallest box around the pixels that are not black: left, top, right, bottom.
+    fn bounds(screen: &Screen) -> (i32, i32, i32, i32) {
+        let drawn = (0..640).flat_map(|x| (0..480).map(move |y| (x, y)));
+        drawn
+            .filter(|&(x, y)| screen.pixel(x, y) != Some(Color::Black))
+            .fold((i32::MAX, i32::MAX, i32::MIN, i32::MIN), |(left, top, right, bottom), (x, y)| {
+                (left.min(x), top.min(y), right.max(x), bottom.max(y))
+            })
+    }
+
+    fn drawn(text: &str, size: u8, direction: Direction) -> Screen {
+        let mut screen = Screen::new();
+        screen.title(10, 10, text, Color::White, size, direction);
+        screen
+    }
+
+    /// The places that the originals' titles take up on the screen.
+    #[test]
+    fn titles_take_up_the_room_of_the_originals() {
+        let near = |a: i32, b: i32| (a - b).abs() <= 3;
+        let (left, top, right, bottom) = bounds(&drawn("GYONGYKEREK", 4, Direction::Horizontal));
+        assert_eq!((top, bottom), (17, 38));
+        assert!(near(left, 13) && near(right, 231), "{left}..{right}");
+        let (left, top, right, bottom) = bounds(&drawn("CSANGO KOCKA", 4, Direction::Horizontal));
+        assert_eq!((top, bottom), (17, 38));
+        assert!(near(left, 13) && near(right, 239), "{left}..{right}");
+        let (_, top, _, bottom) = bounds(&drawn("M", 1, Direction::Horizontal));
+        assert_eq!((top, bottom), (13, 25));
+        let (_, top, _, bottom) = bounds(&drawn("X", 2, Direction::Horizontal));
+        assert_eq!((top, bottom), (14, 28));
+    }
+
+    #[test]
+    fn vertical_titles_are_turned_to_the_left() {
+        let (across, up) = (drawn("Fg", 3, Direction::Horizontal), drawn("Fg", 3, Direction::Vertical));
+        let (width, height) = title_size("Fg", 3);
+        for (x, y) in (-1..width + 2).flat_map(|x| (-1..height + 2).map(move |y| (x, y))) {
+            assert_eq!(across.pixel(10 + x, 10 + y), up.pixel(10 + y, 10 + width - x));
+        }
+    }
+
+    #[test]
+    fn accents_lie_within_the_box_above_their_letters() {
+        for pair in ["áa", "ée", "íi", "óo", "öo", "őo", "úu", "üu", "űu", "ÁA", "ÉE", "ÍI", "ÓO", "ÖO"]
+        {
+            let mut letters = pair.chars().map(String::from);
+            let (accented, plain) = (letters.next().unwrap(), letters.next().unwrap());
+            assert_eq!(title_size(&accented, 4), title_size(&plain, 4));
+            let (left, top, right, bottom) = bounds(&drawn(&accented, 4, Direction::Horizontal));
+            let (width, height) = title_size(&accented, 4);
+            assert!(left >= 10 && right <= 10 + width && top >= 10 && bottom <= 10 + height);
+            assert_ne!(drawn(&accented, 4, Direction::Horizontal), drawn(&plain, 4, Direction::Horizontal));
+        }
+    }
+
+    #[test]
+    fn letters_are_told_apart_by_their_accents() {
+        let picture = |text| region(&drawn(text, 1, Direction::Horizontal), 0, 0, 60, 60);
+        assert_ne!(picture("ö"), picture("ő"));
+        assert_ne!(picture("ü"), picture("ű"));
+        assert_eq!(picture("中"), picture("?"));
+    }
+
+    #[test]
+    fn every_printable_character_has_strokes() {
+        for ch in '!'..='~' {
+            assert!(Glyph::plain(ch).is_some_and(|glyph| glyph.strokes.iter().any(|s| s.len() > 1)), "{ch}");
+        }
+        assert!(Glyph::plain(' ').is_some_and(|glyph| glyph.right > glyph.left));
+        assert!(Glyph::plain('\u{7F}').is_none());
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        #[test]
+        fn any_title_anywhere(x: i32, y: i32, text: String, size: u8) {
+            let mut screen = Screen::new();
+            for direction in [Direction::Horizontal, Direction::Vertical] {
+                screen.title(x, y, &text, Color::White, size, direction);
+                screen.title(x % 640, y % 480, &text, Color::White, size, direction);
+            }
         }
     }
 }

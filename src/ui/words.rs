@@ -1,6 +1,7 @@
 //! Every text that the user sees, in Hungarian and English. The hot letters are the same in both, so
 //! that scripts and habits work in either language.
 
+use crate::file::FileError;
 use crate::machine::{Language, StorageError, StorageProblem};
 use std::borrow::Cow;
 
@@ -186,7 +187,13 @@ pub(crate) fn exists(name: &str) -> Phrase {
     Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
 }
 
-/// What is wrong in a file.
-pub(crate) fn in_file(name: &str, error: &dyn std::fmt::Display) -> Phrase {
-    plain(&format!("{name}: {error}"))
+/// What is wrong in a data file. The rarer faults have their sentence in English only.
+pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
+    let hungarian = match error {
+        FileError::Size { format, found } => {
+            format!("{name}: a file {found} bájt; egy {format} file {} bájt", format.size())
+        }
+        error => format!("{name}: hibás adat: {error}"),
+    };
+    Phrase::new(hungarian, format!("{name}: {error}"))
 }
