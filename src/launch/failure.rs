@@ -50,7 +50,7 @@ impl From<clap::Error> for Failure {
 pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
     let Err(failure) = result else { return ExitCode::SUCCESS };
     if failure.is_answer {
-        print!("{failure}");
+        println!("{}", failure.message.trim_end());
     } else {
         // One line, whatever a library put into its message.
         eprintln!("{program}: {}", failure.message.split_whitespace().collect::<Vec<_>>().join(" "));

@@ -1,20 +1,15 @@
 //! The commands of the plane editor that ask for something: numbers, the curve's form and method.
 
-use super::curves::{self, Choice, Kind};
-use super::picture::METHODS;
-use super::{Edit, Editor, Next, Stage};
+use super::curves::{self, Kind};
+use super::{Edit, Editor, Stage};
+use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_index, ask_method};
+use crate::editor::configuration::{Next, quit};
 use crate::file::{FIELD, MAX_POINTS};
-use crate::geometry::{Closure, Method, Point};
+use crate::geometry::{Method, Point};
 use crate::machine::{Key, Language, Quit};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, MIDDLE, Number, Picture, Question, Stay, TOP};
-
-/// The fewest points that have a curve.
-const FEWEST: usize = 3;
-
-/// The largest coefficient of the tangents.
-const LARGEST_K0: f64 = 10.0;
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Picture, Question, Stay, TOP};
 
 impl Editor {
     /// Carries out the command of a letter; other letters do nothing.
@@ -25,10 +20,15 @@ impl Editor {
             'T' => self.delete(desk).await?,
             'G' => self.choose_curve(desk).await?,
             'E' => self.show_result(desk).await?,
-            'Q' => return self.quit(desk).await,
+            'Q' => return quit(self, desk).await,
             _ => {}
         }
         Ok(Next::Work)
+    }
+
+    /// How many points there are.
+    fn count(&self) -> usize {
+        self.history.now().points().len()
     }
 
     async fn insert(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
@@ -36,18 +36,18 @@ impl Editor {
             desk.tell(words::FULL, Stay::Briefly);
             return Ok(());
         }
-        let Some(index) = self.ask_index(desk).await? else { return Ok(()) };
+        let Some(index) = ask_index(desk, self).await? else { return Ok(()) };
         let Some(place) = self.ask_place(desk).await? else { return Ok(()) };
         self.edit(Edit::Insert(index, place));
         Ok(())
     }
 
     async fn change(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        let Some(index) = self.ask_existing(desk).await? else { return Ok(()) };
+        let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
         let what = Question::new(TOP, words::ASK_CHANGE, [words::NUMBER, words::PLACE]);
         match desk.ask(self, &what).await? {
             Some(Answer::First) => {
-                if let Some(to) = self.ask_existing(desk).await? {
+                if let Some(to) = ask_existing(desk, self, self.count()).await? {
                     self.edit(Edit::Renumber(index, to));
                 }
             }
@@ -62,39 +62,10 @@ impl Editor {
     }
 
     async fn delete(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if let Some(index) = self.ask_existing(desk).await? {
+        if let Some(index) = ask_existing(desk, self, self.count()).await? {
             self.edit(Edit::Delete(index));
         }
         Ok(())
-    }
-
-    /// Asks for a point's number and gives its index; nothing for Esc, zero and less.
-    async fn ask_index(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
-        let form = Form {
-            captions: vec![Caption { at: (262, 26), text: words::NUMBER_ENTRY, color: Color::Black }],
-            fields: vec![Field {
-                area: Area::new(330, 19, 361, 32),
-                at: (338, 22),
-                longest: 2,
-                kind: Number::Whole(0..=i32::MAX),
-            }],
-        };
-        let numbers = desk.numbers(self, &form).await?;
-        Ok(numbers.and_then(|numbers| (numbers[0] as usize).checked_sub(1)))
-    }
-
-    /// As [`Editor::ask_index`], but only for a point that there is; says so if there is none.
-    async fn ask_existing(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
-        let count = self.history.now().points().len();
-        if count == 0 {
-            desk.tell(words::NO_POINTS, Stay::Briefly);
-            return Ok(None);
-        }
-        let index = self.ask_index(desk).await?;
-        if index.is_some_and(|index| index >= count) {
-            desk.tell(words::no_such_point(count), Stay::Briefly);
-        }
-        Ok(index.filter(|&index| index < count))
     }
 
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<2>>, Quit> {
@@ -117,83 +88,32 @@ impl Editor {
     }
 
     async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.history.now().points().len() < FEWEST {
+        if self.count() < FEWEST {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         }
         self.stage = Stage::Choosing;
         self.note = None;
-        let Some(closure) = self.ask_closure(desk).await? else { return Ok(()) };
-        let Some(method) = self.ask_method(desk).await? else { return Ok(()) };
+        let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
+        let Some(method) = ask_method(desk, self).await? else { return Ok(()) };
         let choice = Choice { closure, method };
         match curves::pixels(choice, self.history.now().points()) {
             Ok(_) => {
                 self.choice = Some(choice);
                 self.visible = true;
-                self.note = match method {
-                    Method::Coons { k0 } => Some(format!("k0 = {k0:.2}")),
-                    _ => None,
-                };
+                if let Method::Coons { k0 } = method {
+                    self.k0 = k0;
+                    self.note = Some(format!("k0 = {k0:.2}"));
+                }
             }
             Err(error) => desk.tell(words::plain(&error), Stay::UntilRead),
         }
         Ok(())
     }
 
-    async fn ask_closure(&self, desk: &mut Desk<'_>) -> Result<Option<Closure>, Quit> {
-        let question = Question::new(TOP, words::ASK_SHAPE, [words::OPEN, words::CLOSED]);
-        let answer = desk.ask(self, &question).await?;
-        Ok(answer.map(|answer| match answer {
-            Answer::First => Closure::Open,
-            Answer::Second => Closure::Closed,
-        }))
-    }
-
-    async fn ask_method(&mut self, desk: &mut Desk<'_>) -> Result<Option<Method>, Quit> {
-        loop {
-            let tick = desk.event(self).await?;
-            let clicked = tick.click().and_then(|(x, y)| METHODS.iter().find(|button| button.hit(x, y)));
-            match clicked.map(|button| button.text.letter).or(tick.letter()) {
-                Some('1') => {
-                    let Some(k0) = self.ask_coefficient(desk).await? else { return Ok(None) };
-                    self.k0 = k0;
-                    return Ok(Some(Method::Coons { k0 }));
-                }
-                Some('2') => return Ok(Some(Method::Bezier)),
-                Some('3') => return Ok(Some(Method::Spline)),
-                Some('4') => return self.ask_degree(desk).await,
-                _ if tick.pressed(Key::Esc) => return Ok(None),
-                _ => {}
-            }
-        }
-    }
-
-    async fn ask_coefficient(&self, desk: &mut Desk<'_>) -> Result<Option<f64>, Quit> {
-        let form = Form {
-            captions: vec![Caption { at: (222, 23), text: words::COEFFICIENT, color: Color::Black }],
-            fields: vec![Field {
-                area: Area::new(330, 19, 375, 32),
-                at: (338, 22),
-                longest: 4,
-                kind: Number::Real(-LARGEST_K0..=LARGEST_K0),
-            }],
-        };
-        let numbers = desk.numbers(self, &form).await?;
-        Ok(numbers.map(|numbers| numbers[0]))
-    }
-
-    async fn ask_degree(&self, desk: &mut Desk<'_>) -> Result<Option<Method>, Quit> {
-        let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
-        let answer = desk.ask(self, &question).await?;
-        Ok(answer.map(|answer| match answer {
-            Answer::First => Method::BSpline2,
-            Answer::Second => Method::BSpline3,
-        }))
-    }
-
     /// Shows the curve without its surroundings until Esc.
     async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.choice.is_none() || self.history.now().points().len() < FEWEST {
+        if self.choice.is_none() || self.count() < FEWEST {
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(());
         }
@@ -208,7 +128,7 @@ impl Editor {
     }
 
     /// Chooses which curves are shown together, each in its colour.
-    pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
         let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
         loop {
             let compared = self.compared.clone();
@@ -242,7 +162,7 @@ impl Editor {
                 }
                 Some(&(kind, ..)) => self.compared.push(kind),
                 None if matches!(tick.key(), Some(Key::Enter | Key::Esc | Key::F(4))) => {
-                    return Ok(Next::Work);
+                    return Ok(());
                 }
                 None => {}
             }

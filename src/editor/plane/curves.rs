@@ -1,7 +1,8 @@
 //! Which curves the editor draws through the control points, and as what pixels.
 
 use super::layout::to_screen;
-use crate::geometry::{Closure, Curve, GeometryError, Method, Point};
+use crate::editor::choice::Choice;
+use crate::geometry::{Curve, GeometryError, Method, Point};
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
 
@@ -9,13 +10,6 @@ use serde::Serialize;
 const STEPS: usize = 50;
 /// Steps that the Bézier curve of all points is drawn in.
 const BEZIER_STEPS: usize = 100;
-
-/// The curve that the user chose.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Choice {
-    pub(super) closure: Closure,
-    pub(super) method: Method,
-}
 
 /// A kind of curve that can be laid beside others to compare them, with its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

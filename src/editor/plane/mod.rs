@@ -4,29 +4,29 @@
 mod commands;
 mod curves;
 mod drawing;
-mod files;
 mod layout;
 mod picture;
 
 pub use drawing::{Drawing, Edit};
-pub use files::check;
-
-use crate::file::Document;
-use crate::geometry::{Closure, Method, Point};
-use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
-use crate::ui::{Desk, KeyHelp, Manual, Stay, Words, words};
-use curves::{Choice, Kind};
-use layout::{to_field, to_screen};
-use picture::COMMANDS;
-use serde::Serialize;
 
 use super::History;
+use super::choice::Choice;
+use super::configuration::{self, Configuration, Next, common_key, event};
+use crate::file::{Document, Format, PlanePoints};
+use crate::geometry::{Closure, Point};
+use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
+use crate::ui::words::{self, Phrase};
+use crate::ui::{Desk, KeyHelp, Manual, Stay, Words};
+use curves::Kind;
+use layout::{STORE_AT, to_field, to_screen};
+use picture::COMMANDS;
+use serde::Serialize;
 
 /// What the screen shows besides the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
-    /// Before there is a configuration: no buttons yet.
-    Starting,
+    /// Before there is a configuration; before the first one there are no buttons either.
+    Starting { buttons: bool },
     /// Editing.
     Working,
     /// Editing, while the method is being chosen.
@@ -42,17 +42,6 @@ struct Held {
     index: usize,
     /// Where it is held, in field coordinates.
     at: Point<2>,
-}
-
-/// What the next step of the program is after a command.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Next {
-    /// The same configuration goes on.
-    Work,
-    /// A new configuration.
-    Restart,
-    /// The end.
-    End,
 }
 
 /// The editor's whole state.
@@ -100,32 +89,84 @@ pub const KEYS: &[KeyHelp] = &[
     (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE),
 ];
 
-/// Runs the editor as a program, with a file that was named at the start or none.
+/// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
 /// [`Quit`] when the display is being closed and nothing is left to save.
-pub async fn run(machine: &mut Machine, manual: Manual, file: Option<Document>) -> Result<(), Quit> {
-    let mut desk = Desk::new(machine, manual);
-    let mut editor = Editor::new();
-    let mut next = match file.map(|document| editor.open(&document)) {
-        Some(Ok(())) => Next::Work,
-        Some(Err(problem)) => {
-            desk.tell(problem, Stay::UntilRead);
-            Next::Restart
-        }
-        None => Next::Restart,
+pub async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Result<(), Quit> {
+    configuration::run(Editor::new(), &mut Desk::new(machine, manual), document).await
+}
+
+/// Whether the editor can work with a document; else why not.
+///
+/// # Errors
+/// The reason, in both languages.
+pub fn check(document: &Document) -> Result<(), Phrase> {
+    drawing_of(document).map(|_| ())
+}
+
+fn drawing_of(document: &Document) -> Result<Drawing, Phrase> {
+    let Document::PlanePoints(PlanePoints { points, .. }) = document else {
+        return Err(words::WRONG_CONTENT.into());
     };
-    loop {
-        let step = match next {
-            Next::Restart => editor.start(&mut desk).await.map(|()| Next::Work),
-            Next::Work => editor.work(&mut desk).await,
-            Next::End => return Ok(()),
-        };
-        next = match step {
-            Ok(next) => next,
-            Err(Quit) if editor.may_close(&mut desk).await => return Err(Quit),
-            Err(Quit) => Next::Work,
-        };
+    Drawing::new(points.clone()).ok_or(words::OUTSIDE_FIELD.into())
+}
+
+impl Configuration for Editor {
+    const FORMAT: Format = Format::Ip2;
+    type Value = Drawing;
+
+    fn history(&mut self) -> &mut History<Drawing> {
+        &mut self.history
+    }
+
+    fn reset(&mut self) {
+        let first = self.stage == Stage::Starting { buttons: false };
+        self.stage = Stage::Starting { buttons: !first };
+        self.load(Drawing::default());
+    }
+
+    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
+        self.load(drawing_of(document)?);
+        Ok(())
+    }
+
+    fn document(&self) -> Document {
+        Document::PlanePoints(PlanePoints::new(self.history.now().points().to_vec()))
+    }
+
+    fn model(&self) -> impl Serialize + 'static {
+        Model {
+            points: self.history.now().points().to_vec(),
+            method: self.choice.map(|choice| choice.method.name()),
+            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
+            k0: self.k0,
+            visible: self.visible,
+            compared: self.compared.clone(),
+            unsaved: self.history.unsaved(),
+        }
+    }
+
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+        self.held = None;
+        loop {
+            self.stage = Stage::Working;
+            let tick = event(self, desk).await?;
+            if self.held.is_some() {
+                self.drag(desk, &tick);
+            } else if common_key(self, desk, tick.key()).await? {
+                self.visible &= self.follow;
+            } else if let Some(letter) = self.command(&tick) {
+                let next = self.obey(desk, letter).await?;
+                if next != Next::Work {
+                    return Ok(next);
+                }
+            } else if tick.pressed(Key::F(3)) {
+                self.toggle_follow(desk);
+            } else if tick.pressed(Key::F(4)) {
+                self.compare(desk).await?;
+            }
+        }
     }
 }
 
@@ -139,7 +180,7 @@ impl Editor {
             compared: Vec::new(),
             k0: 0.5,
             held: None,
-            stage: Stage::Starting,
+            stage: Stage::Starting { buttons: false },
             note: None,
         }
     }
@@ -168,44 +209,12 @@ impl Editor {
         self.note = None;
     }
 
-    /// Works on a configuration until a command leads out of it.
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
-        self.stage = Stage::Working;
-        self.held = None;
-        loop {
-            desk.machine.publish(self.model());
-            let tick = desk.event(self).await?;
-            if self.held.is_some() {
-                self.drag(desk, &tick);
-                continue;
-            }
-            let next = match tick.key() {
-                Some(Key::Ctrl('Z')) => self.travel(desk, History::undo),
-                Some(Key::Ctrl('Y')) => self.travel(desk, History::redo),
-                Some(Key::Ctrl('S')) => {
-                    self.save(desk).await?;
-                    Next::Work
-                }
-                Some(Key::F(3)) => self.toggle_follow(desk),
-                Some(Key::F(4)) => self.compare(desk).await?,
-                _ => match self.command(&tick) {
-                    Some(letter) => self.obey(desk, letter).await?,
-                    None => Next::Work,
-                },
-            };
-            self.stage = Stage::Working;
-            if next != Next::Work {
-                return Ok(next);
-            }
-        }
-    }
-
     /// The command letter of a key or of a click on a button; a click on a disc takes it up.
     fn command(&mut self, tick: &Tick) -> Option<char> {
         if let Some((x, y)) = tick.click() {
             if let Some(index) = self.point_at(x, y) {
                 let points = self.history.now().points();
-                let at = points.get(index).copied().unwrap_or(layout::STORE_AT);
+                let at = points.get(index).copied().unwrap_or(STORE_AT);
                 self.held = Some(Held { index, at });
                 return None;
             }
@@ -251,31 +260,9 @@ impl Editor {
         }
     }
 
-    /// Undoes or redoes; says when there is nothing to do.
-    fn travel(&mut self, desk: &mut Desk<'_>, step: fn(&mut History<Drawing>) -> bool) -> Next {
-        if !step(&mut self.history) {
-            desk.tell(words::NO_MORE, Stay::Briefly);
-        }
-        self.visible &= self.follow;
-        Next::Work
-    }
-
-    fn toggle_follow(&mut self, desk: &mut Desk<'_>) -> Next {
+    fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
         self.follow = !self.follow;
         self.visible = self.follow && self.choice.is_some();
         desk.tell(if self.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
-        Next::Work
-    }
-
-    fn model(&self) -> Model {
-        Model {
-            points: self.history.now().points().to_vec(),
-            method: self.choice.map(|choice| Method::name(choice.method)),
-            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
-            k0: self.k0,
-            visible: self.visible,
-            compared: self.compared.clone(),
-            unsaved: self.history.unsaved(),
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! The picture of the plane editor: the model as pixels, changing nothing.
 
-use super::curves::{self, Choice, Kind};
+use super::curves::{self, Kind};
 use super::layout::{STORE_AT, control_point, grid, ground, on_disc, surroundings};
 use super::{Editor, Stage};
+use crate::editor::choice::{Choice, METHODS};
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
 use crate::ui::{Button, Picture, TOP, page, words};
@@ -15,14 +16,6 @@ pub(super) const COMMANDS: [Button; 6] = [
     Button::new(460, 21, words::INSERT),
     Button::new(550, 21, words::DELETE),
     Button::new(550, 4, words::CURVE),
-];
-
-/// The method buttons.
-pub(super) const METHODS: [Button; 4] = [
-    Button::new(30, 21, words::COONS),
-    Button::new(30, 38, words::BEZIER),
-    Button::new(120, 21, words::SPLINE),
-    Button::new(120, 38, words::B_SPLINE),
 ];
 
 impl Picture for Editor {
@@ -63,7 +56,7 @@ impl Editor {
         } else {
             self.draw_legend(screen, 216, 10);
         }
-        if stage == Stage::Starting {
+        if stage == (Stage::Starting { buttons: false }) {
             return;
         }
         let title = if stage == Stage::Choosing { Color::LightMagenta } else { Color::Black };
@@ -105,8 +98,8 @@ impl Editor {
         for (index, &point) in points.iter().enumerate() {
             control_point(screen, held_point(index).unwrap_or(point), index + 1);
         }
-        let stored =
-            !matches!(self.stage, Stage::Starting | Stage::Result { .. }) && !self.history.now().full();
+        let stored = !matches!(self.stage, Stage::Starting { .. } | Stage::Result { .. })
+            && !self.history.now().full();
         if stored {
             control_point(screen, held_point(points.len()).unwrap_or(STORE_AT), points.len() + 1);
         }

@@ -1,0 +1,126 @@
+//! Questions that several editors ask: a point's number, a number of its own, the curve's form and method.
+
+use crate::geometry::{Closure, Method};
+use crate::machine::{Key, Quit};
+use crate::screen::Color;
+use crate::ui::words::{self, Words};
+use crate::ui::{
+    Answer, Area, Button, Caption, Desk, Field, Form, MIDDLE, Number, Picture, Question, Stay, TOP,
+};
+use std::ops::RangeInclusive;
+
+/// The curve that the user chose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Choice {
+    pub(super) closure: Closure,
+    pub(super) method: Method,
+}
+
+/// The largest coefficient of the tangents.
+const LARGEST_K0: f64 = 10.0;
+
+/// The fewest points that have a curve.
+pub(super) const FEWEST: usize = 3;
+
+/// The method buttons.
+pub(super) const METHODS: [Button; 4] = [
+    Button::new(30, 21, words::COONS),
+    Button::new(30, 38, words::BEZIER),
+    Button::new(120, 21, words::SPLINE),
+    Button::new(120, 38, words::B_SPLINE),
+];
+
+/// Asks for a point's number and gives its index; nothing for Esc, zero and less.
+pub(super) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<usize>, Quit> {
+    let form = Form {
+        captions: vec![Caption { at: (262, 26), text: words::NUMBER_ENTRY, color: Color::Black }],
+        fields: vec![Field {
+            area: Area::new(330, 19, 361, 32),
+            at: (338, 22),
+            longest: 2,
+            kind: Number::Whole(0..=i32::MAX),
+        }],
+    };
+    let numbers = desk.numbers(picture, &form).await?;
+    Ok(numbers.and_then(|numbers| (numbers[0] as usize).checked_sub(1)))
+}
+
+/// As [`ask_index`], but only for one of `count` points that there are; says so if there is none.
+pub(super) async fn ask_existing(
+    desk: &mut Desk<'_>,
+    picture: &dyn Picture,
+    count: usize,
+) -> Result<Option<usize>, Quit> {
+    if count == 0 {
+        desk.tell(words::NO_POINTS, Stay::Briefly);
+        return Ok(None);
+    }
+    let index = ask_index(desk, picture).await?;
+    if index.is_some_and(|index| index >= count) {
+        desk.tell(words::no_such_point(count), Stay::Briefly);
+    }
+    Ok(index.filter(|&index| index < count))
+}
+
+/// Asks for one number with a fraction on the page at the top, with its caption at a place.
+pub(super) async fn ask_real(
+    desk: &mut Desk<'_>,
+    picture: &dyn Picture,
+    (caption, at): (Words, (i32, i32)),
+    range: RangeInclusive<f64>,
+) -> Result<Option<f64>, Quit> {
+    let form = Form {
+        captions: vec![Caption { at, text: caption, color: Color::Black }],
+        fields: vec![Field {
+            area: Area::new(330, 19, 375, 32),
+            at: (338, 22),
+            longest: 4,
+            kind: Number::Real(range),
+        }],
+    };
+    let numbers = desk.numbers(picture, &form).await?;
+    Ok(numbers.map(|numbers| numbers[0]))
+}
+
+/// Asks for the coefficient of the automatic tangents.
+pub(super) async fn ask_coefficient(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<f64>, Quit> {
+    ask_real(desk, picture, (words::COEFFICIENT, (222, 23)), -LARGEST_K0..=LARGEST_K0).await
+}
+
+/// Asks whether the curve is open or closed.
+pub(super) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Closure>, Quit> {
+    let question = Question::new(TOP, words::ASK_SHAPE, [words::OPEN, words::CLOSED]);
+    let answer = desk.ask(picture, &question).await?;
+    Ok(answer.map(|answer| match answer {
+        Answer::First => Closure::Open,
+        Answer::Second => Closure::Closed,
+    }))
+}
+
+/// Waits for a method button and asks for what the method needs.
+pub(super) async fn ask_method(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Method>, Quit> {
+    loop {
+        let tick = desk.event(picture).await?;
+        let clicked = tick.click().and_then(|(x, y)| METHODS.iter().find(|button| button.hit(x, y)));
+        match clicked.map(|button| button.text.letter).or(tick.letter()) {
+            Some('1') => {
+                let k0 = ask_coefficient(desk, picture).await?;
+                return Ok(k0.map(|k0| Method::Coons { k0 }));
+            }
+            Some('2') => return Ok(Some(Method::Bezier)),
+            Some('3') => return Ok(Some(Method::Spline)),
+            Some('4') => return ask_degree(desk, picture).await,
+            _ if tick.pressed(Key::Esc) => return Ok(None),
+            _ => {}
+        }
+    }
+}
+
+async fn ask_degree(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Method>, Quit> {
+    let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
+    let answer = desk.ask(picture, &question).await?;
+    Ok(answer.map(|answer| match answer {
+        Answer::First => Method::BSpline2,
+        Answer::Second => Method::BSpline3,
+    }))
+}

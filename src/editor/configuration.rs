@@ -1,0 +1,226 @@
+//! The life of a configuration, the same in every program that edits one: new or stored, worked on,
+//! saved, left. Nothing is lost without having been asked.
+
+use super::History;
+use crate::file::{Document, Format};
+use crate::machine::{Key, Quit, Storage, StorageProblem};
+use crate::ui::words::{self, Phrase};
+use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
+use serde::Serialize;
+
+/// What the next step of a program is after a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Next {
+    /// The same configuration goes on.
+    Work,
+    /// A new configuration.
+    Restart,
+    /// The end.
+    End,
+}
+
+/// A program's state with a configuration that is edited and kept in files.
+pub trait Configuration: Picture {
+    /// The format of the stored configurations.
+    const FORMAT: Format;
+    /// What is changed, undone and saved.
+    type Value: Clone + PartialEq;
+
+    /// The edited value with its past.
+    fn history(&mut self) -> &mut History<Self::Value>;
+
+    /// Goes back to the state before there is a configuration.
+    fn reset(&mut self);
+
+    /// Takes up a document that needs no saving.
+    ///
+    /// # Errors
+    /// Why the program cannot work with it.
+    fn open(&mut self, document: &Document) -> Result<(), Phrase>;
+
+    /// The configuration as a document.
+    fn document(&self) -> Document;
+
+    /// The model as `dump` writes it.
+    fn model(&self) -> impl Serialize + 'static;
+
+    /// Works until a command leads out of the configuration.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    fn work(&mut self, desk: &mut Desk<'_>) -> impl Future<Output = Result<Next, Quit>>;
+
+    /// Reads a stored configuration.
+    ///
+    /// # Errors
+    /// What is wrong with the file.
+    fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
+        self.open(&read_document(storage, name, Self::FORMAT)?)
+    }
+
+    /// The files that a configuration is stored in, for the name of the first one.
+    ///
+    /// # Errors
+    /// What the format cannot hold.
+    fn files(&self, name: &str) -> Result<Vec<(String, Vec<u8>)>, Phrase> {
+        let content = self.document().write(Self::FORMAT).map_err(|error| words::in_file(name, &error))?;
+        Ok(vec![(name.to_string(), content)])
+    }
+}
+
+/// Reads a document of a format; a file that is not there is told in the original's words.
+pub(super) fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Result<Document, Phrase> {
+    let content = storage.read(name).map_err(|error| match error.problem {
+        StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
+        _ => words::storage_problem(&error),
+    })?;
+    Document::read(format, &content).map_err(|error| words::in_file(name, &error))
+}
+
+/// Runs a program that edits configurations, with a document that was named at the start or none.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed and nothing is left to save.
+pub async fn run<C: Configuration>(
+    mut state: C,
+    desk: &mut Desk<'_>,
+    document: Option<Document>,
+) -> Result<(), Quit> {
+    let mut next = match document.map(|document| state.open(&document)) {
+        Some(Ok(())) => Next::Work,
+        Some(Err(problem)) => {
+            desk.tell(problem, Stay::UntilRead);
+            Next::Restart
+        }
+        None => Next::Restart,
+    };
+    loop {
+        let step = match next {
+            Next::Restart => start(&mut state, desk).await.map(|()| Next::Work),
+            Next::Work => state.work(desk).await,
+            Next::End => return Ok(()),
+        };
+        next = match step {
+            Ok(next) => next,
+            Err(Quit) if may_close(&mut state, desk).await => return Err(Quit),
+            Err(Quit) => Next::Work,
+        };
+    }
+}
+
+/// Shows the program's picture and sleeps until something happens.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed.
+pub async fn event<C: Configuration>(state: &C, desk: &mut Desk<'_>) -> Result<crate::machine::Tick, Quit> {
+    desk.machine.publish(state.model());
+    desk.event(state).await
+}
+
+/// Carries out the keys that mean the same in every editor: undo, redo, save. Whether it was one.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed.
+pub async fn common_key<C: Configuration>(
+    state: &mut C,
+    desk: &mut Desk<'_>,
+    key: Option<Key>,
+) -> Result<bool, Quit> {
+    let moved = match key {
+        Some(Key::Ctrl('Z')) => state.history().undo(),
+        Some(Key::Ctrl('Y')) => state.history().redo(),
+        Some(Key::Ctrl('S')) => {
+            save(state, desk).await?;
+            true
+        }
+        _ => return Ok(false),
+    };
+    if !moved {
+        desk.tell(words::NO_MORE, Stay::Briefly);
+    }
+    Ok(true)
+}
+
+/// Asks for a new or a stored configuration until there is one.
+async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    state.reset();
+    loop {
+        desk.machine.publish(state.model());
+        let question = Question::new(MIDDLE, words::ASK_CONFIGURATION, [words::NEW, words::STORED]);
+        if desk.ask(&*state, &question).await? != Some(Answer::Second) {
+            return Ok(());
+        }
+        let name = desk.file_name(&*state, C::FORMAT.extension(), Way::Load).await?;
+        let Some(name) = name else { continue };
+        match state.read(desk.machine.storage(), &name) {
+            Ok(()) => return Ok(()),
+            Err(problem) => desk.tell(problem, Stay::Briefly),
+        }
+    }
+}
+
+/// Asks for a name and saves; whether it was done.
+async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    let name = desk.file_name(&*state, C::FORMAT.extension(), Way::Save).await?;
+    let Some(name) = name else { return Ok(false) };
+    if desk.machine.storage().find(&name).is_some() && !desk.yes(&*state, words::exists(&name)).await? {
+        return Ok(false);
+    }
+    match store(state, desk.machine.storage(), &name) {
+        Ok(()) => {
+            state.history().mark_saved();
+            Ok(true)
+        }
+        Err(problem) => {
+            desk.tell(problem, Stay::UntilRead);
+            Ok(false)
+        }
+    }
+}
+
+fn store<C: Configuration>(state: &C, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
+    for (name, content) in state.files(name)? {
+        storage.write(&name, &content).map_err(|error| words::storage_problem(&error))?;
+    }
+    Ok(())
+}
+
+/// Asks whether to save until it is answered and done; `false` is Esc: nothing shall be left.
+async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    loop {
+        match desk.ask(&*state, &Question::yes_no(words::ASK_SAVE)).await? {
+            None => return Ok(false),
+            Some(Answer::Second) => return Ok(true),
+            Some(Answer::First) if save(state, desk).await? => return Ok(true),
+            Some(Answer::First) => {}
+        }
+    }
+}
+
+/// The command Q: save, end, or a new configuration.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed.
+pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    if !offer_to_save(state, desk).await? {
+        return Ok(Next::Work);
+    }
+    if desk.yes(&*state, words::ASK_END).await? {
+        return Ok(Next::End);
+    }
+    if desk.yes(&*state, words::ASK_NEW).await? {
+        return Ok(Next::Restart);
+    }
+    Ok(Next::Work)
+}
+
+/// Whether the display may close: at once if everything is saved, else as the user decides. The close
+/// button pressed again leaves the question standing, so that no slip loses work.
+async fn may_close<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> bool {
+    while state.history().unsaved() {
+        if let Ok(leave) = offer_to_save(state, desk).await {
+            return leave;
+        }
+    }
+    true
+}
