@@ -68,6 +68,15 @@ impl Session {
         }
     }
 
+    /// A copy of the screen with the program's mouse pointer on it, as a display shows it.
+    pub fn picture(&self) -> Screen {
+        let mut picture = self.screen().clone();
+        if let Some((masks, x, y)) = self.pointer() {
+            picture.pointer(x, y, masks);
+        }
+        picture
+    }
+
     /// The language that the program speaks now.
     pub fn language(&self) -> Language {
         self.port.borrow().language
@@ -138,6 +147,31 @@ impl Session {
         if let Poll::Ready(_) = program.as_mut().poll(&mut context) {
             self.program = None;
         }
+    }
+}
+
+/// The time of a live display since it began, in whole milliseconds, as scripts count.
+#[cfg(any(feature = "window", feature = "terminal"))]
+pub(super) struct Clock(std::time::Instant);
+
+#[cfg(any(feature = "window", feature = "terminal"))]
+impl Clock {
+    pub(super) fn start() -> Clock {
+        Clock(std::time::Instant::now())
+    }
+
+    pub(super) fn now(&self) -> Duration {
+        Duration::from_millis(u64::try_from(self.0.elapsed().as_millis()).unwrap_or(u64::MAX))
+    }
+
+    /// How long a display may sleep before the session's deadline, if there is one, and at most `longest`.
+    /// A deadline within a millisecond is awaited to its end, as the clock counts whole ones.
+    pub(super) fn pause(&self, session: &Session, longest: Duration) -> Duration {
+        let Some(deadline) = session.deadline() else { return longest };
+        let rest = deadline.saturating_sub(self.0.elapsed());
+        // The first whole millisecond that is not before the deadline.
+        let late = Duration::from_nanos(u64::from((1_000_000 - deadline.subsec_nanos() % 1_000_000) % 1_000_000));
+        rest.saturating_add(late).min(longest)
     }
 }
 
