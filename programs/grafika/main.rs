@@ -1,5 +1,9 @@
 //! `grafika`: the menu and the command line over all programs.
 
+#[path = "../gb_2d_bt.rs"]
+mod gb_2d_bt;
+#[path = "../gb_2d_ch.rs"]
+mod gb_2d_ch;
 #[path = "../gb_2d_ip.rs"]
 mod gb_2d_ip;
 
@@ -17,7 +21,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Every program, in the order of the book.
-const PROGRAMS: &[Program] = &[gb_2d_ip::PROGRAM];
+const PROGRAMS: &[Program] = &[gb_2d_ch::PROGRAM, gb_2d_ip::PROGRAM, gb_2d_bt::PROGRAM];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]

@@ -4,6 +4,7 @@
 //! A program of the book is one of these editors with its own methods and buttons; nothing here names
 //! a program.
 
+mod beta;
 mod choice;
 pub mod configuration;
 mod history;

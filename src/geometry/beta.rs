@@ -53,7 +53,9 @@ impl Shape {
         [b13 * w * w * w / delta, falling / delta, rising / delta, u3 / delta]
     }
 
-    fn method(self) -> Method {
+    /// The method that draws a beta-spline of this shape.
+    #[must_use]
+    pub fn method(self) -> Method {
         Method::Beta { bias: self.bias, tension: self.tension }
     }
 }
@@ -127,6 +129,13 @@ impl<const D: usize> VaryingBeta<D> {
             Closure::Open => self.shapes.len() - 1,
             Closure::Closed => self.shapes.len(),
         }
+    }
+
+    /// Where the spans join, the ends of an open curve included.
+    #[must_use]
+    pub fn joints(&self) -> Vec<Point<D>> {
+        let end = (self.closure == Closure::Open).then(|| self.eval(self.spans() - 1, 1.0)).flatten();
+        (0..self.spans()).filter_map(|span| self.eval(span, 0.0)).chain(end).collect()
     }
 
     fn ends(&self, span: usize) -> [Shape; 2] {

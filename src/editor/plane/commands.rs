@@ -1,38 +1,35 @@
 //! The commands of the plane editor that ask for something: numbers, the curve's form and method.
 
-use super::curves::{self, Kind};
-use super::{Edit, Editor, Stage};
+use super::{Edit, Editor, Stage, Tools, curves};
+use crate::editor::beta;
 use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_index, ask_method};
 use crate::editor::configuration::{Next, quit};
 use crate::file::{FIELD, MAX_POINTS};
 use crate::geometry::{Method, Point};
-use crate::machine::{Key, Language, Quit};
-use crate::screen::{Color, Screen};
+use crate::machine::{Key, Quit};
+use crate::screen::Color;
 use crate::ui::words::{self, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Picture, Question, Stay, TOP};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
 
 impl Editor {
     /// Carries out the command of a letter; other letters do nothing.
     pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
         match letter {
             'B' => self.insert(desk).await?,
-            'V' => self.change(desk).await?,
+            'V' => self.change_point(desk).await?,
             'T' => self.delete(desk).await?,
             'G' => self.choose_curve(desk).await?,
             'E' => self.show_result(desk).await?,
+            'A' | 'C' if self.tools == Tools::Beta => return self.change_shape(desk, letter).await.map(|()| Next::Work),
             'Q' => return quit(self, desk).await,
-            _ => {}
+            _ => return Ok(Next::Work),
         }
+        self.offer_tangents = true;
         Ok(Next::Work)
     }
 
-    /// How many points there are.
-    fn count(&self) -> usize {
-        self.history.now().points().len()
-    }
-
     async fn insert(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.history.now().full() {
+        if self.history.now().drawing.full() {
             desk.tell(words::FULL, Stay::Briefly);
             return Ok(());
         }
@@ -42,8 +39,16 @@ impl Editor {
         Ok(())
     }
 
-    async fn change(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn change_point(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
         let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
+        if self.tools == Tools::Tangents {
+            let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
+            match desk.ask(self, &what).await? {
+                Some(Answer::First) => {}
+                Some(Answer::Second) => return self.change_tangent(desk, index).await,
+                None => return Ok(()),
+            }
+        }
         let what = Question::new(TOP, words::ASK_CHANGE, [words::NUMBER, words::PLACE]);
         match desk.ask(self, &what).await? {
             Some(Answer::First) => {
@@ -75,14 +80,12 @@ impl Editor {
             longest: 3,
             kind: Number::Whole(0..=largest as i32),
         };
-        let form = Form {
-            captions: vec![
-                Caption { at: (255, 23), text: words::PLACE_ENTRY, color: Color::Black },
-                Caption { at: (315, 15), text: Words("x = ", "x = "), color: Color::LightMagenta },
-                Caption { at: (315, 30), text: Words("y = ", "y = "), color: Color::LightMagenta },
-            ],
-            fields: vec![field(14, FIELD[0]), field(29, FIELD[1])],
-        };
+        let captions = vec![
+            Caption::new((255, 23), words::PLACE_ENTRY),
+            Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
+            Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
+        ];
+        let form = Form::new(captions, vec![field(14, FIELD[0]), field(29, FIELD[1])]);
         let numbers = desk.numbers(self, &form).await?;
         Ok(numbers.map(|numbers| [numbers[0], numbers[1]]))
     }
@@ -93,20 +96,24 @@ impl Editor {
             return Ok(());
         }
         self.stage = Stage::Choosing;
-        self.note = None;
+        self.forget_note();
         let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
-        let Some(method) = ask_method(desk, self).await? else { return Ok(()) };
+        let method = match self.tools {
+            Tools::Methods => ask_method(desk, self).await?,
+            Tools::Tangents => Some(Method::Coons { k0: self.k0 }),
+            Tools::Beta => Some(self.history.now().shape.method()),
+        };
+        let Some(method) = method else { return Ok(()) };
         let choice = Choice { closure, method };
-        match curves::pixels(choice, self.history.now().points()) {
-            Ok(_) => {
-                self.choice = Some(choice);
-                self.visible = true;
-                if let Method::Coons { k0 } = method {
-                    self.k0 = k0;
-                    self.note = Some(format!("k0 = {k0:.2}"));
-                }
-            }
-            Err(error) => desk.tell(words::plain(&error), Stay::UntilRead),
+        if let Err(error) = curves::pixels(self.tools, choice, self.history.now()) {
+            desk.tell(beta::explain(&error), Stay::UntilRead);
+            return Ok(());
+        }
+        self.choice = Some(choice);
+        self.visible = true;
+        if let (Tools::Methods, Method::Coons { k0 }) = (self.tools, method) {
+            self.k0 = k0;
+            self.note = Some(format!("k0 = {k0:.2}"));
         }
         Ok(())
     }
@@ -123,50 +130,8 @@ impl Editor {
         self.stage = Stage::Result { points: answer == Answer::First };
         while !desk.event(self).await?.pressed(Key::Esc) {}
         self.visible = true;
-        self.note = None;
+        self.forget_note();
         Ok(())
-    }
-
-    /// Chooses which curves are shown together, each in its colour.
-    pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
-        loop {
-            let compared = self.compared.clone();
-            let draw = |screen: &mut Screen, language: Language| {
-                self.draw(screen, language);
-                crate::ui::page(screen, TOP);
-                for (index, (kind, name, color)) in (0..).zip(Kind::ALL) {
-                    let (x, y) = place(index);
-                    if compared.contains(&kind) {
-                        screen.bar(x + 16, y, x + 28, y + 7, color);
-                    }
-                    screen.text(x, y, &(index + 1).to_string(), Color::Red);
-                    screen.text(x + 34, y, name, Color::Black);
-                }
-                screen.text(332, 35, words::ENTER_BACK.of(language), Color::Black);
-            };
-            let tick = desk.event(&draw).await?;
-            let clicked = tick.click().and_then(|(x, y)| {
-                (0..).zip(Kind::ALL).position(|(index, _)| {
-                    let (left, top) = place(index);
-                    Area::new(left - 2, top - 3, left + 112, top + 10).holds(x, y)
-                })
-            });
-            let typed = tick
-                .letter()
-                .and_then(|letter| letter.to_digit(10))
-                .and_then(|digit| (digit as usize).checked_sub(1));
-            match clicked.or(typed).and_then(|index| Kind::ALL.get(index)) {
-                Some(&(kind, ..)) if self.compared.contains(&kind) => {
-                    self.compared.retain(|&other| other != kind)
-                }
-                Some(&(kind, ..)) => self.compared.push(kind),
-                None if matches!(tick.key(), Some(Key::Enter | Key::Esc | Key::F(4))) => {
-                    return Ok(());
-                }
-                None => {}
-            }
-        }
     }
 }
 
