@@ -9,7 +9,8 @@ use crate::ui::{Button, Desk, Picture};
 use std::ops::RangeInclusive;
 
 /// The buttons for bias and tension.
-pub(super) const BUTTONS: [Button; 2] = [Button::new(30, 21, words::BIAS), Button::new(120, 21, words::TENSION)];
+pub(super) const BUTTONS: [Button; 2] =
+    [Button::new(30, 21, words::BIAS), Button::new(120, 21, words::TENSION)];
 
 /// The biases that can be chosen.
 pub(super) const BIASES: RangeInclusive<f64> = 0.05..=20.0;
@@ -19,7 +20,12 @@ pub(super) const TENSIONS: RangeInclusive<f64> = -1e9..=1e9;
 /// Draws the values and the buttons.
 pub(super) fn draw(screen: &mut Screen, shape: Shape, language: Language) {
     screen.text(20, 5, &format!("{} = {:.2}", words::BIAS_VALUE.of(language), shape.bias), Color::Black);
-    screen.text(35, 40, &format!("{} = {:.2}", words::TENSION_VALUE.of(language), shape.tension), Color::Black);
+    screen.text(
+        35,
+        40,
+        &format!("{} = {:.2}", words::TENSION_VALUE.of(language), shape.tension),
+        Color::Black,
+    );
     BUTTONS.iter().for_each(|button| button.draw(screen, language));
 }
 

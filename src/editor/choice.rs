@@ -31,8 +31,12 @@ pub(super) const METHODS: [Button; 4] = [
 
 /// Asks for a point's number and gives its index; nothing for Esc, zero and less.
 pub(super) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<usize>, Quit> {
-    let field =
-        Field { area: Area::new(330, 19, 361, 32), at: (338, 22), longest: 2, kind: Number::Whole(0..=i32::MAX) };
+    let field = Field {
+        area: Area::new(330, 19, 361, 32),
+        at: (338, 22),
+        longest: 2,
+        kind: Number::Whole(0..=i32::MAX),
+    };
     let form = Form::new(vec![Caption::new((262, 26), words::NUMBER_ENTRY)], vec![field]);
     let numbers = desk.numbers(picture, &form).await?;
     Ok(numbers.and_then(|numbers| (numbers[0] as usize).checked_sub(1)))

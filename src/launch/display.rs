@@ -48,10 +48,16 @@ fn run_script(session: &mut Session, path: &Path) -> Result<(), Failure> {
 }
 
 /// Shows a session in a window, or in the terminal where none can be opened.
-fn live(session: &mut Session, name: &str, wish: Option<DisplayKind>, options: &RunOptions) -> Result<(), Failure> {
+fn live(
+    session: &mut Session,
+    name: &str,
+    wish: Option<DisplayKind>,
+    options: &RunOptions,
+) -> Result<(), Failure> {
     #[cfg(feature = "window")]
     if wish == Some(DisplayKind::Window) || (wish.is_none() && crate::machine::window::window_possible()) {
-        let options = crate::machine::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
+        let options =
+            crate::machine::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
         return crate::machine::window::run(session, &options).map_err(Failure::work);
     }
     let _ = (session, name, wish, options);

@@ -31,8 +31,6 @@ mod samples;
 mod script;
 mod session;
 mod storage;
-#[cfg(feature = "terminal")]
-pub mod terminal;
 #[cfg(feature = "window")]
 pub mod window;
 

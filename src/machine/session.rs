@@ -170,7 +170,8 @@ impl Clock {
         let Some(deadline) = session.deadline() else { return longest };
         let rest = deadline.saturating_sub(self.0.elapsed());
         // The first whole millisecond that is not before the deadline.
-        let late = Duration::from_nanos(u64::from((1_000_000 - deadline.subsec_nanos() % 1_000_000) % 1_000_000));
+        let late =
+            Duration::from_nanos(u64::from((1_000_000 - deadline.subsec_nanos() % 1_000_000) % 1_000_000));
         rest.saturating_add(late).min(longest)
     }
 }

@@ -20,7 +20,9 @@ impl Editor {
             'T' => self.delete(desk).await?,
             'G' => self.choose_curve(desk).await?,
             'E' => self.show_result(desk).await?,
-            'A' | 'C' if self.tools == Tools::Beta => return self.change_shape(desk, letter).await.map(|()| Next::Work),
+            'A' | 'C' if self.tools == Tools::Beta => {
+                return self.change_shape(desk, letter).await.map(|()| Next::Work);
+            }
             'Q' => return quit(self, desk).await,
             _ => return Ok(Next::Work),
         }
@@ -129,7 +131,8 @@ impl Editor {
         let Some(answer) = answer else { return Ok(()) };
         self.stage = Stage::Result { points: answer == Answer::First };
         while !desk.event(self).await?.pressed(Key::Esc) {}
-        self.visible = true;
+        // As in the original, the curve is gone from the editor's picture after this.
+        self.visible = self.follow;
         self.forget_note();
         Ok(())
     }

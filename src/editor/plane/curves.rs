@@ -4,7 +4,7 @@ use super::layout::to_screen;
 use super::sketch::Sketch;
 use super::tools::Tools;
 use crate::editor::choice::Choice;
-use crate::geometry::{Closure, Curve, CubicBezier, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
+use crate::geometry::{Closure, CubicBezier, Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
 
@@ -71,7 +71,8 @@ pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pi
             let curve = VaryingBeta::new(closure, sketch.points(), joints)?;
             let point = |span, step| curve.eval(span, step as f64 / steps as f64);
             let spans = 0..curve.spans();
-            let line: Vec<_> = spans.flat_map(|span| (0..=steps).filter_map(move |step| point(span, step))).collect();
+            let line: Vec<_> =
+                spans.flat_map(|span| (0..=steps).filter_map(move |step| point(span, step))).collect();
             let marks = curve.joints();
             Ok(Pixels { line: screen_line(&line), joints: screen_line(&marks) })
         }
