@@ -4,9 +4,13 @@
 //! A program of the book is one of these editors with its own methods and buttons; nothing here names
 //! a program.
 
+mod beta;
 mod choice;
 pub mod configuration;
+pub mod drawing;
+mod field;
 mod history;
 pub mod plane;
+mod points;
 
 pub use history::History;

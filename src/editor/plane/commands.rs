@@ -1,71 +1,29 @@
 //! The commands of the plane editor that ask for something: numbers, the curve's form and method.
 
 use super::curves::{self, Kind};
-use super::{Edit, Editor, Stage};
-use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_index, ask_method};
+use super::{Editor, Stage};
+use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_method};
 use crate::editor::configuration::{Next, quit};
-use crate::file::{FIELD, MAX_POINTS};
+use crate::editor::drawing::Edit;
+use crate::editor::points::{PointEditor, change, delete, insert};
+use crate::file::FIELD;
 use crate::geometry::{Method, Point};
 use crate::machine::{Key, Language, Quit};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Picture, Question, Stay, TOP};
 
-impl Editor {
-    /// Carries out the command of a letter; other letters do nothing.
-    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
-        match letter {
-            'B' => self.insert(desk).await?,
-            'V' => self.change(desk).await?,
-            'T' => self.delete(desk).await?,
-            'G' => self.choose_curve(desk).await?,
-            'E' => self.show_result(desk).await?,
-            'Q' => return quit(self, desk).await,
-            _ => {}
-        }
-        Ok(Next::Work)
-    }
+impl PointEditor for Editor {
+    type Place = Point<2>;
 
-    /// How many points there are.
-    fn count(&self) -> usize {
-        self.history.now().points().len()
-    }
-
-    async fn insert(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.history.now().full() {
-            desk.tell(words::FULL, Stay::Briefly);
-            return Ok(());
+    /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
+    fn edit(&mut self, edit: Edit<Point<2>>) {
+        self.history.change(self.history.now().edited(edit));
+        if !self.follow {
+            self.choice = None;
+            self.visible = false;
         }
-        let Some(index) = ask_index(desk, self).await? else { return Ok(()) };
-        let Some(place) = self.ask_place(desk).await? else { return Ok(()) };
-        self.edit(Edit::Insert(index, place));
-        Ok(())
-    }
-
-    async fn change(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
-        let what = Question::new(TOP, words::ASK_CHANGE, [words::NUMBER, words::PLACE]);
-        match desk.ask(self, &what).await? {
-            Some(Answer::First) => {
-                if let Some(to) = ask_existing(desk, self, self.count()).await? {
-                    self.edit(Edit::Renumber(index, to));
-                }
-            }
-            Some(Answer::Second) => {
-                if let Some(place) = self.ask_place(desk).await? {
-                    self.edit(Edit::Move(index, place));
-                }
-            }
-            None => {}
-        }
-        Ok(())
-    }
-
-    async fn delete(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if let Some(index) = ask_existing(desk, self, self.count()).await? {
-            self.edit(Edit::Delete(index));
-        }
-        Ok(())
+        self.note = None;
     }
 
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<2>>, Quit> {
@@ -85,6 +43,27 @@ impl Editor {
         };
         let numbers = desk.numbers(self, &form).await?;
         Ok(numbers.map(|numbers| [numbers[0], numbers[1]]))
+    }
+}
+
+impl Editor {
+    /// Carries out the command of a letter; other letters do nothing.
+    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
+        match letter {
+            'B' => insert(self, desk).await?,
+            'V' => change(self, desk).await?,
+            'T' => delete(self, desk).await?,
+            'G' => self.choose_curve(desk).await?,
+            'E' => self.show_result(desk).await?,
+            'Q' => return quit(self, desk).await,
+            _ => {}
+        }
+        Ok(Next::Work)
+    }
+
+    /// How many points there are.
+    fn count(&self) -> usize {
+        self.history.now().points().len()
     }
 
     async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
@@ -169,6 +148,3 @@ impl Editor {
         }
     }
 }
-
-// The prompt for a point's number has room for two digits.
-const _: () = assert!(MAX_POINTS <= 99);

@@ -2,14 +2,9 @@
 
 use super::layout::to_screen;
 use crate::editor::choice::Choice;
-use crate::geometry::{Curve, GeometryError, Method, Point};
+use crate::geometry::{GeometryError, Method, Point};
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
-
-/// Steps that a span is drawn in.
-const STEPS: usize = 50;
-/// Steps that the Bézier curve of all points is drawn in.
-const BEZIER_STEPS: usize = 100;
 
 /// A kind of curve that can be laid beside others to compare them, with its colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -46,9 +41,7 @@ impl Kind {
 
 /// The pixels of a curve, or why there is none.
 pub(super) fn pixels(choice: Choice, points: &[Point<2>]) -> Result<Vec<(i32, i32)>, GeometryError> {
-    let curve = Curve::through(choice.method, choice.closure, points)?;
-    let steps = if choice.method == Method::Bezier { BEZIER_STEPS } else { STEPS };
-    Ok(curve.polyline(steps)?.into_iter().map(to_screen).collect())
+    Ok(choice.polyline(points)?.into_iter().map(to_screen).collect())
 }
 
 /// Draws a curve with a thick line; one that does not exist draws nothing.

@@ -3,15 +3,13 @@
 
 mod commands;
 mod curves;
-mod drawing;
 mod layout;
 mod picture;
 
-pub use drawing::{Drawing, Edit};
-
 use super::History;
-use super::choice::Choice;
+use super::choice::{COMMANDS, Choice};
 use super::configuration::{self, Configuration, Next, common_key, event};
+use super::drawing::{self, Edit, Place};
 use crate::file::{Document, Format, PlanePoints};
 use crate::geometry::{Closure, Point};
 use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
@@ -19,8 +17,10 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{Desk, KeyHelp, Manual, Stay, Words};
 use curves::Kind;
 use layout::{STORE_AT, to_field, to_screen};
-use picture::COMMANDS;
 use serde::Serialize;
+
+/// The control points of a plane curve.
+pub type Drawing = drawing::Drawing<Point<2>>;
 
 /// What the screen shows besides the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -199,16 +199,6 @@ impl Editor {
         self.note = None;
     }
 
-    /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
-    fn edit(&mut self, edit: Edit) {
-        self.history.change(self.history.now().edited(edit));
-        if !self.follow {
-            self.choice = None;
-            self.visible = false;
-        }
-        self.note = None;
-    }
-
     /// The command letter of a key or of a click on a button; a click on a disc takes it up.
     fn command(&mut self, tick: &Tick) -> Option<char> {
         if let Some((x, y)) = tick.click() {
@@ -252,7 +242,7 @@ impl Editor {
     fn preview(&self) -> Drawing {
         let now = self.history.now();
         let Some(held) = self.held else { return now.clone() };
-        match (held.index < now.points().len(), drawing::in_field(held.at)) {
+        match (held.index < now.points().len(), held.at.fits()) {
             (true, true) => now.edited(Edit::Move(held.index, held.at)),
             (true, false) => now.edited(Edit::Delete(held.index)),
             (false, true) => now.edited(Edit::Insert(held.index, held.at)),

@@ -1,22 +1,13 @@
 //! The picture of the plane editor: the model as pixels, changing nothing.
 
 use super::curves::{self, Kind};
-use super::layout::{STORE_AT, control_point, grid, ground, on_disc, surroundings};
+use super::layout::{STORE_AT, control_point, grid, on_disc, surroundings};
 use super::{Editor, Stage};
-use crate::editor::choice::{Choice, METHODS};
+use crate::editor::choice::{COMMANDS, Choice, METHODS};
+use crate::editor::field::ground;
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
-use crate::ui::{Button, Picture, TOP, page, words};
-
-/// The command buttons, in the order in which they are looked through.
-pub(super) const COMMANDS: [Button; 6] = [
-    Button::new(460, 4, words::CHANGE),
-    Button::new(550, 38, words::QUIT),
-    Button::new(460, 38, words::RESULT),
-    Button::new(460, 21, words::INSERT),
-    Button::new(550, 21, words::DELETE),
-    Button::new(550, 4, words::CURVE),
-];
+use crate::ui::{Picture, TOP, page, words};
 
 impl Picture for Editor {
     fn draw(&self, screen: &mut Screen, language: Language) {
