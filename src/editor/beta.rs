@@ -1,4 +1,4 @@
-//! The beta-spline's shape in the curve editors (chapter 2.3.4): its bias and tension, the buttons and
+//! The beta-spline's shape in the curve editors (chapter 2.3.7): its bias and tension, the buttons and
 //! questions that change them, their display, and the marks at the joints.
 
 use super::choice::ask_real;

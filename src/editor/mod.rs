@@ -12,5 +12,6 @@ mod field;
 mod history;
 pub mod plane;
 mod points;
+pub mod space;
 
 pub use history::History;
