@@ -6,6 +6,10 @@ mod gb_2d_bt;
 mod gb_2d_ch;
 #[path = "../gb_2d_ip.rs"]
 mod gb_2d_ip;
+#[path = "../gb_3d_bt.rs"]
+mod gb_3d_bt;
+#[path = "../gb_3d_ip.rs"]
+mod gb_3d_ip;
 
 mod convert;
 mod curve;
@@ -21,7 +25,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Every program, in the order of the book.
-const PROGRAMS: &[Program] = &[gb_2d_ch::PROGRAM, gb_2d_ip::PROGRAM, gb_2d_bt::PROGRAM];
+const PROGRAMS: &[Program] =
+    &[gb_2d_ch::PROGRAM, gb_2d_ip::PROGRAM, gb_2d_bt::PROGRAM, gb_3d_ip::PROGRAM, gb_3d_bt::PROGRAM];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]

@@ -1,6 +1,7 @@
-//! Questions that several editors ask: a point's number, a number of its own, the curve's form and method.
+//! What several editors ask and draw alike: a point's number, a number of its own, the curve's form and
+//! method, and the curve that was chosen.
 
-use crate::geometry::{Closure, Method};
+use crate::geometry::{Closure, Curve, GeometryError, Method, Point};
 use crate::machine::{Key, Quit};
 use crate::ui::words::{self, Words};
 use crate::ui::{
@@ -15,11 +16,48 @@ pub(super) struct Choice {
     pub(super) method: Method,
 }
 
+/// Steps that a span is drawn in.
+const STEPS: usize = 50;
+/// Steps that the Bézier curve of all points is drawn in.
+const BEZIER_STEPS: usize = 100;
+/// Steps that a span of a beta-spline is drawn in.
+pub(super) const BETA_STEPS: usize = 500;
+
+impl Choice {
+    /// The curve through or near control points.
+    pub(super) fn curve<const D: usize>(self, points: &[Point<D>]) -> Result<Curve<D>, GeometryError> {
+        Curve::through(self.method, self.closure, points)
+    }
+
+    /// The points that the curve is drawn through, in steps as fine as the original's.
+    pub(super) fn polyline<const D: usize>(
+        self,
+        points: &[Point<D>],
+    ) -> Result<Vec<Point<D>>, GeometryError> {
+        let steps = match self.method {
+            Method::Bezier => BEZIER_STEPS,
+            Method::Beta { .. } => BETA_STEPS,
+            _ => STEPS,
+        };
+        self.curve(points)?.polyline(steps)
+    }
+}
+
 /// The largest coefficient of the tangents.
 const LARGEST_K0: f64 = 10.0;
 
 /// The fewest points that have a curve.
 pub(super) const FEWEST: usize = 3;
+
+/// The command buttons of the curve editors, in the order in which they are looked through.
+pub(super) const COMMANDS: [Button; 6] = [
+    Button::new(460, 4, words::CHANGE),
+    Button::new(550, 38, words::QUIT),
+    Button::new(460, 38, words::RESULT),
+    Button::new(460, 21, words::INSERT),
+    Button::new(550, 21, words::DELETE),
+    Button::new(550, 4, words::CURVE),
+];
 
 /// The method buttons.
 pub(super) const METHODS: [Button; 4] = [

@@ -7,7 +7,11 @@
 mod beta;
 mod choice;
 pub mod configuration;
+pub mod drawing;
+mod field;
 mod history;
 pub mod plane;
+mod points;
+pub mod space;
 
 pub use history::History;

@@ -34,7 +34,6 @@ mod net;
 mod plane;
 mod settings;
 mod space;
-mod view;
 pub mod wheel;
 
 pub use convert::{FileKind, convert};
@@ -46,5 +45,5 @@ pub use fourier::{Fourier, HARMONICS};
 pub use net::{Net, NetKind};
 pub use plane::{FIELD, MAX_POINTS, PlanePoints, Tangent, Tangents};
 pub use settings::{CurveSettings, Method, NetSettings};
-pub use space::SpacePoints;
+pub use space::{SPACE_VIEW, SpacePoints};
 pub use wheel::BeadWheel;

@@ -5,8 +5,9 @@
 
 use super::check::{self, Bounds};
 use super::format::a_file;
-use super::view::View;
+use super::space::place_on_screen;
 use super::{FileError, Format, NetSettings, settings};
+use crate::geometry::View;
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
 
@@ -66,9 +67,9 @@ pub struct Net {
 }
 
 /// Steep and flat views at the start of the surface programs.
-const VIEW: View = View([0.3, -0.7, 0.2]);
-const HERMITE_VIEW: View = View([0.4, -0.7, 0.2]);
-const TORUS_VIEW: View = View([0.3, -0.7, 0.4]);
+const VIEW: [f64; 3] = [0.3, -0.7, 0.2];
+const HERMITE_VIEW: [f64; 3] = [0.4, -0.7, 0.2];
+const TORUS_VIEW: [f64; 3] = [0.3, -0.7, 0.4];
 
 impl NetKind {
     /// Every kind.
@@ -139,10 +140,10 @@ impl NetKind {
     /// never draw as a point.
     fn screen(self, k: usize, l: usize, point: [f64; 3]) -> [i16; 2] {
         match self {
-            Self::Fhc if k < 2 && l < 2 => HERMITE_VIEW.screen(point),
+            Self::Fhc if k < 2 && l < 2 => place_on_screen(View::from_direction(HERMITE_VIEW), point),
             Self::Fhc => [0; 2],
-            Self::Zyp => TORUS_VIEW.screen(point),
-            _ => VIEW.screen(point),
+            Self::Zyp => place_on_screen(View::from_direction(TORUS_VIEW), point),
+            _ => place_on_screen(View::from_direction(VIEW), point),
         }
     }
 

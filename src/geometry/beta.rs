@@ -131,6 +131,11 @@ impl<const D: usize> VaryingBeta<D> {
         }
     }
 
+    /// A span in equal steps of u, both ends included; nothing if there is no such span.
+    pub fn span_points(&self, span: usize, steps: usize) -> impl Iterator<Item = Point<D>> {
+        (0..=steps).filter_map(move |step| self.eval(span, step as f64 / steps as f64))
+    }
+
     /// Where the spans join, the ends of an open curve included.
     #[must_use]
     pub fn joints(&self) -> Vec<Point<D>> {

@@ -49,6 +49,7 @@ mod method;
 mod point;
 mod spline;
 mod tridiagonal;
+mod view;
 mod weights;
 mod window;
 
@@ -61,4 +62,5 @@ pub use error::GeometryError;
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use method::{Closure, Ends, Method};
 pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
+pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

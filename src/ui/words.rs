@@ -2,6 +2,7 @@
 //! that scripts and habits work in either language.
 
 use crate::file::FileError;
+use crate::geometry::GeometryError;
 use crate::machine::{Language, StorageError, StorageProblem};
 use std::borrow::Cow;
 
@@ -198,13 +199,7 @@ pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
     Phrase::new(hungarian, format!("{name}: {error}"))
 }
 
-// Beta-splines.
-pub(crate) const BIAS: Hot = hot('A', " - elt.", " - bias");
-pub(crate) const TENSION: Hot = hot('C', " - fesz", " - tens");
-pub(crate) const BIAS_VALUE: Words = Words("Eltolás", "Bias");
-pub(crate) const TENSION_VALUE: Words = Words("Feszültség", "Tension");
-pub(crate) const BIAS_ENTRY: Words = Words("Eltolás:", "Bias:");
-pub(crate) const TENSION_ENTRY: Words = Words("Feszültség:", "Tension:");
+// Beta-splines and their joints.
 pub(crate) const HELP_SHAPE: Words =
     Words("eltolás, feszültség az egész görbén", "bias, tension of the whole curve");
 pub(crate) const HELP_CURVE_FORM: Words = Words("görbe: nyitott vagy zárt", "curve: open or closed");
@@ -239,4 +234,59 @@ pub(crate) const HELP_DRAG_TANGENT: Words =
 /// What a number is before it is changed.
 pub(crate) fn now_it_is(number: f64) -> Phrase {
     Phrase::new(format!("most: {number}"), format!("now: {number}"))
+}
+
+// Beta-splines.
+pub(crate) const BIAS_BUTTON: Hot = hot('A', " - elt.", " - bias");
+pub(crate) const TENSION_BUTTON: Hot = hot('C', " - fesz", " - tens");
+pub(crate) const BIAS_ENTRY: Words = Words("Eltolás:", "Bias:");
+pub(crate) const TENSION_ENTRY: Words = Words("Feszültség:", "Tension:");
+pub(crate) const BIAS_VALUE: Words = Words("Eltolás = ", "Bias = ");
+pub(crate) const TENSION_VALUE: Words = Words("Feszültség = ", "Tension = ");
+
+/// Why there is no curve. The rarer reasons have their sentence in English only.
+pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
+    let GeometryError::CriticalTension { bias, critical, .. } = error else { return plain(error) };
+    let number =
+        |value: &f64| format!("{:.4}", value).trim_end_matches('0').trim_end_matches('.').to_string();
+    let (bias, critical) = (number(bias), number(critical));
+    Phrase::new(
+        format!(
+            "{bias} eltolásnál a {critical} feszültség kritikus: a görbe pontjai a végtelenbe mennek. Más feszültség kell: C"
+        ),
+        format!(
+            "With bias {bias} the tension {critical} is critical: the points of the curve go to infinity. Give another tension: C"
+        ),
+    )
+}
+
+// The space editor.
+pub(crate) const PLACE_3D: Words = Words("Hely", "Place");
+pub(crate) const LEAVE: Words = Words("ESC - kilép", "ESC - leave");
+pub(crate) const HELP_DRAG_3D: Words =
+    Words("pont húzása a kép síkjában", "drag a point in the plane of the picture");
+pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "turn by dragging");
+pub(crate) const HELP_TURN_KEYS: Words = Words("forgatás 3 fokkal", "turn by 3 degrees");
+pub(crate) const HELP_ZOOM: Words = Words("nagyítás, kicsinyítés", "larger, smaller");
+pub(crate) const HELP_HOME: Words = Words("az eredeti nézet", "the view of the start");
+pub(crate) const HELP_BIAS: Words = Words("eltolás: 0.05...20", "bias: 0.05...20");
+pub(crate) const HELP_TENSION: Words = Words("feszültség", "tension");
+pub(crate) const HELP_CURVE_SHAPE: Words = Words("görbe: nyitott vagy zárt", "curve: open or closed");
+pub(crate) const NOT_IN_SPACE: Words =
+    Words("Ebben a fileban nem térbeli kontrollpontok vannak", "This file holds no control points in space");
+pub(crate) const OUTSIDE_SPACE: Words = Words(
+    "99-nél több pont, vagy túl nagy koordináta",
+    "More than 99 points, or a coordinate that is too large",
+);
+
+/// The place of a point, counted from 1, as the line under the picture tells it.
+pub(crate) fn place_of(number: usize, place: [f64; 3]) -> Phrase {
+    // Adding zero makes a negative zero positive.
+    let [x, y, z] = place.map(|value| {
+        if value.abs() < 1e6 { format!("{:3.0}", value.round() + 0.0) } else { format!("{value:.2e}") }
+    });
+    let line = |number_word: &str, place_word: &str| {
+        format!("{number_word}: {number}   {place_word}: x = {x}   y = {y}   z = {z}")
+    };
+    Phrase::new(line("Sorszám", "Hely"), line("Number", "Place"))
 }

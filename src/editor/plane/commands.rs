@@ -1,78 +1,22 @@
 //! The commands of the plane editor that ask for something: numbers, the curve's form and method.
 
-use super::{Edit, Editor, Stage, Tools, curves};
-use crate::editor::beta;
-use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_index, ask_method};
+use super::{Drawing, Editor, Stage, Tools, curves};
+use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_method};
 use crate::editor::configuration::{Next, quit};
-use crate::file::{FIELD, MAX_POINTS};
+use crate::editor::drawing::Edit;
+use crate::editor::points::{PointEditor, change, change_at, delete, insert};
+use crate::file::FIELD;
 use crate::geometry::{Method, Point};
 use crate::machine::{Key, Quit};
 use crate::screen::Color;
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
 
-impl Editor {
-    /// Carries out the command of a letter; other letters do nothing.
-    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
-        match letter {
-            'B' => self.insert(desk).await?,
-            'V' => self.change_point(desk).await?,
-            'T' => self.delete(desk).await?,
-            'G' => self.choose_curve(desk).await?,
-            'E' => self.show_result(desk).await?,
-            'A' | 'C' if self.tools == Tools::Beta => {
-                return self.change_shape(desk, letter).await.map(|()| Next::Work);
-            }
-            'Q' => return quit(self, desk).await,
-            _ => return Ok(Next::Work),
-        }
-        self.offer_tangents = true;
-        Ok(Next::Work)
-    }
+impl PointEditor for Editor {
+    type Place = Point<2>;
 
-    async fn insert(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.history.now().drawing.full() {
-            desk.tell(words::FULL, Stay::Briefly);
-            return Ok(());
-        }
-        let Some(index) = ask_index(desk, self).await? else { return Ok(()) };
-        let Some(place) = self.ask_place(desk).await? else { return Ok(()) };
-        self.edit(Edit::Insert(index, place));
-        Ok(())
-    }
-
-    async fn change_point(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
-        if self.tools == Tools::Tangents {
-            let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
-            match desk.ask(self, &what).await? {
-                Some(Answer::First) => {}
-                Some(Answer::Second) => return self.change_tangent(desk, index).await,
-                None => return Ok(()),
-            }
-        }
-        let what = Question::new(TOP, words::ASK_CHANGE, [words::NUMBER, words::PLACE]);
-        match desk.ask(self, &what).await? {
-            Some(Answer::First) => {
-                if let Some(to) = ask_existing(desk, self, self.count()).await? {
-                    self.edit(Edit::Renumber(index, to));
-                }
-            }
-            Some(Answer::Second) => {
-                if let Some(place) = self.ask_place(desk).await? {
-                    self.edit(Edit::Move(index, place));
-                }
-            }
-            None => {}
-        }
-        Ok(())
-    }
-
-    async fn delete(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if let Some(index) = ask_existing(desk, self, self.count()).await? {
-            self.edit(Edit::Delete(index));
-        }
-        Ok(())
+    fn drawing(&self) -> &Drawing {
+        &self.history.now().drawing
     }
 
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<2>>, Quit> {
@@ -92,6 +36,30 @@ impl Editor {
         Ok(numbers.map(|numbers| [numbers[0], numbers[1]]))
     }
 
+    fn edit(&mut self, edit: Edit<Point<2>>) {
+        self.change(self.history.now().edited(edit));
+    }
+}
+
+impl Editor {
+    /// Carries out the command of a letter; other letters do nothing.
+    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
+        match letter {
+            'B' => insert(self, desk).await?,
+            'V' => self.change_point(desk).await?,
+            'T' => delete(self, desk).await?,
+            'G' => self.choose_curve(desk).await?,
+            'E' => self.show_result(desk).await?,
+            'A' | 'C' if self.tools == Tools::Beta => {
+                return self.change_shape(desk, letter).await.map(|()| Next::Work);
+            }
+            'Q' => return quit(self, desk).await,
+            _ => return Ok(Next::Work),
+        }
+        self.offer_tangents = true;
+        Ok(Next::Work)
+    }
+
     async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
         if self.count() < FEWEST {
             desk.tell(words::TOO_FEW, Stay::Briefly);
@@ -108,7 +76,7 @@ impl Editor {
         let Some(method) = method else { return Ok(()) };
         let choice = Choice { closure, method };
         if let Err(error) = curves::pixels(self.tools, choice, self.history.now()) {
-            desk.tell(beta::explain(&error), Stay::UntilRead);
+            desk.tell(words::no_curve(&error), Stay::UntilRead);
             return Ok(());
         }
         self.choice = Some(choice);
@@ -118,6 +86,20 @@ impl Editor {
             self.note = Some(format!("k0 = {k0:.2}"));
         }
         Ok(())
+    }
+
+    /// The command V; where there are tangents, it asks first what of the point changes.
+    async fn change_point(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        if self.tools != Tools::Tangents {
+            return change(self, desk).await;
+        }
+        let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
+        let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
+        match desk.ask(self, &what).await? {
+            Some(Answer::First) => change_at(self, desk, index).await,
+            Some(Answer::Second) => self.change_tangent(desk, index).await,
+            None => Ok(()),
+        }
     }
 
     /// Shows the curve without its surroundings until Esc.
@@ -137,6 +119,3 @@ impl Editor {
         Ok(())
     }
 }
-
-// The prompt for a point's number has room for two digits.
-const _: () = assert!(MAX_POINTS <= 99);

@@ -3,8 +3,9 @@
 use super::layout::to_screen;
 use super::sketch::Sketch;
 use super::tools::Tools;
-use crate::editor::choice::Choice;
-use crate::geometry::{Closure, CubicBezier, Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
+use crate::editor::beta;
+use crate::editor::choice::{BETA_STEPS, Choice};
+use crate::geometry::{Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
 
@@ -48,53 +49,29 @@ pub(super) struct Pixels {
     pub(super) joints: Vec<(i32, i32)>,
 }
 
-/// In how many steps the originals draw a span.
-fn steps(tools: Tools, method: Method) -> usize {
-    match (tools, method) {
-        (Tools::Tangents, _) => 20,
-        (Tools::Beta, _) => 500,
-        (Tools::Methods, Method::Bezier) => 100,
-        (Tools::Methods, _) => 50,
-    }
-}
+/// Steps that a span with given tangents is drawn in.
+const TANGENT_STEPS: usize = 20;
 
 /// The curve that a program draws for a choice, or why there is none.
 pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pixels, GeometryError> {
-    let Choice { closure, method } = choice;
-    let steps = steps(tools, method);
+    let closure = choice.closure;
     match (tools, &sketch.tangents, &sketch.joints) {
         (Tools::Tangents, Some(tangents), _) => {
             let curve = Curve::Piecewise(hermite_arcs(closure, sketch.points(), tangents)?);
-            Ok(Pixels { line: screen_line(&curve.polyline(steps)?), joints: Vec::new() })
+            Ok(Pixels { line: screen_line(&curve.polyline(TANGENT_STEPS)?), joints: Vec::new() })
         }
         (Tools::Beta, _, Some(joints)) => {
             let curve = VaryingBeta::new(closure, sketch.points(), joints)?;
-            let point = |span, step| curve.eval(span, step as f64 / steps as f64);
-            let spans = 0..curve.spans();
-            let line: Vec<_> =
-                spans.flat_map(|span| (0..=steps).filter_map(move |step| point(span, step))).collect();
-            let marks = curve.joints();
-            Ok(Pixels { line: screen_line(&line), joints: screen_line(&marks) })
+            let points = (0..curve.spans()).flat_map(|span| curve.span_points(span, BETA_STEPS));
+            Ok(Pixels { line: points.map(to_screen).collect(), joints: screen_line(&curve.joints()) })
         }
         (Tools::Beta, ..) => {
-            let curve = Curve::through(sketch.shape.method(), closure, sketch.points())?;
-            let joints = match &curve {
-                Curve::Piecewise(arcs) => joints(arcs, closure),
-                Curve::Bezier(_) => Vec::new(),
-            };
-            Ok(Pixels { line: screen_line(&curve.polyline(steps)?), joints })
+            let choice = Choice { closure, method: sketch.shape.method() };
+            let joints = beta::joints(&choice.curve(sketch.points())?, closure);
+            Ok(Pixels { line: screen_line(&choice.polyline(sketch.points())?), joints: screen_line(&joints) })
         }
-        _ => {
-            let curve = Curve::through(method, closure, sketch.points())?;
-            Ok(Pixels { line: screen_line(&curve.polyline(steps)?), joints: Vec::new() })
-        }
+        _ => Ok(Pixels { line: screen_line(&choice.polyline(sketch.points())?), joints: Vec::new() }),
     }
-}
-
-/// Where arcs join: at both ends of each.
-fn joints(arcs: &[CubicBezier<2>], closure: Closure) -> Vec<(i32, i32)> {
-    let first = arcs.first().filter(|_| closure == Closure::Open).map(|arc| arc.p[0]);
-    first.into_iter().chain(arcs.iter().map(|arc| arc.p[3])).map(to_screen).collect()
 }
 
 fn screen_line(points: &[Point<2>]) -> Vec<(i32, i32)> {
@@ -104,8 +81,5 @@ fn screen_line(points: &[Point<2>]) -> Vec<(i32, i32)> {
 /// Draws a curve with a thick line and its joints with small discs.
 pub(super) fn draw(screen: &mut Screen, pixels: &Pixels, color: Color) {
     screen.polyline(&pixels.line, Stroke::thick(color));
-    for &(x, y) in &pixels.joints {
-        screen.disc(x, y, 3, Color::Black, color);
-        screen.circle(x, y, 3, Stroke::thick(color));
-    }
+    pixels.joints.iter().for_each(|&joint| beta::draw_joint(screen, joint));
 }

@@ -50,8 +50,8 @@ impl Editor {
             ],
             vec![
                 field(284, 12, 2, Number::Whole(1..=count)),
-                field(264, 30, 4, Number::Real(beta::BIASES)),
-                field(376, 30, 5, Number::Real(beta::TENSIONS)),
+                field(264, 30, 4, Number::Real(beta::BIAS)),
+                field(376, 30, 5, Number::Real(beta::TENSION)),
             ],
         );
         let Some(numbers) = desk.numbers(self, &form).await? else { return Ok(()) };
@@ -76,7 +76,7 @@ impl Editor {
         if let Some(choice) = self.choice
             && let Err(error) = curves::pixels(self.tools, choice, self.history.now())
         {
-            desk.tell(beta::explain(&error), Stay::UntilRead);
+            desk.tell(words::no_curve(&error), Stay::UntilRead);
         }
     }
 

@@ -1,24 +1,19 @@
 //! Where everything stands on the screen of the plane editor, and the way between field and screen.
 
+use crate::editor::field::{self, pixel};
 use crate::geometry::Point;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::{Area, sunken};
+use crate::ui::Area;
 
-/// Radius of a control point's disc in pixels.
-pub(super) const RADIUS: i32 = 10;
 /// Where the field's origin lies on the screen.
 const ORIGIN: (i32, i32) = (41, 450);
-/// The black area of the picture.
-const PICTURE: Area = Area::new(29, 58, 633, 462);
 /// Where the mouse can drag a point to.
 const REACH: Area = Area::new(41, 10, 620, 450);
 /// The place of the store, from where new points are taken, in field coordinates.
 pub(super) const STORE_AT: Point<2> = [577.0, 360.0];
 
-/// The pixel of a point of the field. Rounds halves to even, as the original does.
+/// The pixel of a point of the field.
 pub(super) fn to_screen([x, y]: Point<2>) -> (i32, i32) {
-    // Casting saturates, so that a curve far outside stays far outside.
-    let pixel = |value: f64| value.round_ties_even().clamp(-30_000.0, 30_000.0) as i32;
     (ORIGIN.0 + pixel(x), ORIGIN.1 - pixel(y))
 }
 
@@ -41,19 +36,9 @@ pub(super) fn grid(screen: &mut Screen) {
     }
 }
 
-/// The black ground of the picture.
-pub(super) fn ground(screen: &mut Screen) {
-    screen.bar(PICTURE.x1, PICTURE.y1, PICTURE.x2, PICTURE.y2, Color::Black);
-}
-
-/// Everything around the picture: drawn after it, so that a curve that leaves the field goes under.
+/// Everything around the picture, with the scales.
 pub(super) fn surroundings(screen: &mut Screen) {
-    let Area { x1, y1, x2, y2 } = Area::new(25, 54, 637, 466);
-    screen.bar(0, 0, 639, y1, Color::LightCyan);
-    screen.bar(0, y2, 639, 479, Color::LightCyan);
-    screen.bar(0, y1, x1, y2, Color::LightCyan);
-    screen.bar(x2, y1, 639, y2, Color::LightCyan);
-    sunken(screen, Area::new(x1, y1, x2, y2), 4);
+    field::surroundings(screen);
     let tick = Stroke::thin(Color::Black);
     for hundred in 0..6 {
         let x = ORIGIN.0 + 100 * hundred;
@@ -71,14 +56,10 @@ pub(super) fn surroundings(screen: &mut Screen) {
 
 /// A control point with its number, counted from 1.
 pub(super) fn control_point(screen: &mut Screen, point: Point<2>, number: usize) {
-    let (x, y) = to_screen(point);
-    screen.disc(x, y, RADIUS, Color::DarkGray, Color::White);
-    let text_x = if number <= 9 { x - 2 } else { x - 7 };
-    screen.text(text_x, y - 3, &number.to_string(), Color::White);
+    field::numbered_disc(screen, to_screen(point), number, Color::DarkGray);
 }
 
 /// Whether a pixel lies on the disc of a control point.
-pub(super) fn on_disc(point: Point<2>, (x, y): (i32, i32)) -> bool {
-    let (center_x, center_y) = to_screen(point);
-    (x - center_x).pow(2) + (y - center_y).pow(2) <= RADIUS.pow(2)
+pub(super) fn on_disc(point: Point<2>, at: (i32, i32)) -> bool {
+    field::on_disc(to_screen(point), at)
 }

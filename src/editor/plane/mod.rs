@@ -6,7 +6,6 @@
 mod commands;
 mod compare;
 mod curves;
-mod drawing;
 mod files;
 mod joints;
 mod layout;
@@ -15,14 +14,14 @@ mod sketch;
 mod tangents;
 mod tools;
 
-pub use drawing::{Drawing, Edit};
 pub use files::{check, with_twin};
 pub use sketch::Sketch;
 pub use tools::Tools;
 
 use super::History;
-use super::choice::{Choice, FEWEST};
+use super::choice::{COMMANDS, Choice, FEWEST};
 use super::configuration::{self, Configuration, Next, common_key, event};
+use super::drawing::{self, Edit, Place};
 use crate::file::{Document, Format};
 use crate::geometry::{Closure, Point};
 use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
@@ -30,8 +29,10 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{Desk, Manual, Stay, Words};
 use curves::Kind;
 use layout::{STORE_AT, to_field, to_screen};
-use picture::COMMANDS;
 use serde::Serialize;
+
+/// The control points of a plane curve.
+pub type Drawing = drawing::Drawing<Point<2>>;
 
 /// What the screen shows besides the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -247,12 +248,7 @@ impl Editor {
         self.offer_tangents = self.tools == Tools::Tangents && self.count() >= FEWEST;
     }
 
-    /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
-    fn edit(&mut self, edit: Edit) {
-        self.change(self.history.now().edited(edit));
-    }
-
-    /// Makes a changed sketch the present one.
+    /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
     fn change(&mut self, sketch: Sketch) {
         self.history.change(sketch);
         if !self.follow {
@@ -332,7 +328,7 @@ impl Editor {
     fn preview(&self) -> Sketch {
         let now = self.history.now();
         let Some(Held { handle, at }) = self.held else { return now.clone() };
-        match (handle, drawing::in_field(at)) {
+        match (handle, at.fits()) {
             (Handle::Point(index), true) if index < self.count() => now.edited(Edit::Move(index, at)),
             (Handle::Point(index), false) if index < self.count() => now.edited(Edit::Delete(index)),
             (Handle::Point(index), true) => now.edited(Edit::Insert(index, at)),

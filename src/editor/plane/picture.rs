@@ -1,23 +1,14 @@
 //! The picture of the plane editor: the model as pixels, changing nothing.
 
 use super::curves::{self, Kind};
-use super::layout::{STORE_AT, control_point, grid, ground, on_disc, surroundings};
+use super::layout::{STORE_AT, control_point, grid, on_disc, surroundings};
 use super::{Editor, Handle, Stage, Tools, tangents};
 use crate::editor::beta;
-use crate::editor::choice::Choice;
+use crate::editor::choice::{COMMANDS, Choice};
+use crate::editor::field::ground;
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
-use crate::ui::{Button, Picture, TOP, page, words};
-
-/// The command buttons, in the order in which they are looked through.
-pub(super) const COMMANDS: [Button; 6] = [
-    Button::new(460, 4, words::CHANGE),
-    Button::new(550, 38, words::QUIT),
-    Button::new(460, 38, words::RESULT),
-    Button::new(460, 21, words::INSERT),
-    Button::new(550, 21, words::DELETE),
-    Button::new(550, 4, words::CURVE),
-];
+use crate::ui::{Picture, TOP, page, words};
 
 impl Picture for Editor {
     fn draw(&self, screen: &mut Screen, language: Language) {
@@ -76,7 +67,7 @@ impl Editor {
                 screen.text(20, 20, words::COONS_TITLE.of(language), Color::Black);
                 screen.text(65, 43, note, Color::Black);
             }
-            Tools::Beta => beta::draw(screen, self.history.now().shape, language),
+            Tools::Beta => beta::draw_values(screen, self.history.now().shape, language),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The edited whole: control points and what belongs to each of them, a tangent or the shape of its joint.
 
-use super::drawing::{Drawing, Edit};
+use super::Drawing;
+use crate::editor::drawing::Edit;
 use crate::geometry::{Point, Shape};
 
 /// Control points with what a program keeps besides them.
@@ -34,7 +35,7 @@ impl Sketch {
 
     /// The sketch after an edit of its points: what belongs to them goes with them. A new point has no
     /// tangent, and the common shape.
-    pub(super) fn edited(&self, edit: Edit) -> Sketch {
+    pub(super) fn edited(&self, edit: Edit<Point<2>>) -> Sketch {
         let mut sketch = Sketch { drawing: self.drawing.edited(edit), ..self.clone() };
         let counts = [self.points().len(), sketch.points().len()];
         if let Some(tangents) = &mut sketch.tangents {
@@ -66,7 +67,7 @@ impl Sketch {
 }
 
 /// Lets a list that belongs to the points follow an edit that made so many of so many.
-fn follow<T>(list: &mut Vec<T>, edit: Edit, [before, after]: [usize; 2], new: T) {
+fn follow<T>(list: &mut Vec<T>, edit: Edit<Point<2>>, [before, after]: [usize; 2], new: T) {
     match edit {
         Edit::Insert(index, _) if after > before => list.insert(index.min(before), new),
         Edit::Delete(index) if after < before => {

@@ -1,37 +1,76 @@
-//! What is edited: the control points, and the named edits that change them.
+//! What the editors edit: a list of control points, and the named edits that change it.
 
 use crate::file::{FIELD, MAX_POINTS};
-use crate::geometry::Point;
+use crate::geometry::{COORDINATE_LIMIT, Point};
 use serde::Serialize;
 
-/// The control points, in coordinates of the field: x from 0 to 560 to the right, y from 0 to 380 up.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Drawing {
-    points: Vec<Point<2>>,
+/// A kind of control point, with the places where it may lie.
+pub trait Place: Copy + PartialEq {
+    /// Whether it may lie where it is.
+    fn fits(self) -> bool;
+
+    /// The nearest place where it may lie.
+    #[must_use]
+    fn nearest(self) -> Self;
+}
+
+impl Place for Point<2> {
+    /// In the plane, within the field.
+    fn fits(self) -> bool {
+        self.iter().zip(FIELD).all(|(value, largest)| (0.0..=largest).contains(value))
+    }
+
+    fn nearest(self) -> Self {
+        [self[0].clamp(0.0, FIELD[0]), self[1].clamp(0.0, FIELD[1])]
+    }
+}
+
+impl Place for Point<3> {
+    /// In space, wherever curves can be computed.
+    fn fits(self) -> bool {
+        self.iter().all(|value| value.abs() <= COORDINATE_LIMIT)
+    }
+
+    fn nearest(self) -> Self {
+        self.map(|value| value.clamp(-COORDINATE_LIMIT, COORDINATE_LIMIT))
+    }
+}
+
+/// Control points: in coordinates of the field for a plane curve, x from 0 to 560 to the right, y from 0
+/// to 380 up; in those of the three axes for a curve in space.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Drawing<P> {
+    points: Vec<P>,
+}
+
+impl<P> Default for Drawing<P> {
+    fn default() -> Self {
+        Drawing { points: Vec::new() }
+    }
 }
 
 /// A named change of the control points. Indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Edit {
+pub enum Edit<P> {
     /// A new point before the one of an index; behind the last one if there is none.
-    Insert(usize, Point<2>),
+    Insert(usize, P),
     /// A point moves.
-    Move(usize, Point<2>),
+    Move(usize, P),
     /// A point goes; the later ones shift down.
     Delete(usize),
     /// A point gets another index; those between shift by one.
     Renumber(usize, usize),
 }
 
-impl Drawing {
-    /// A drawing of points, which must lie in the field.
-    pub fn new(points: Vec<Point<2>>) -> Option<Drawing> {
-        let fits = points.len() <= MAX_POINTS && points.iter().all(|&point| in_field(point));
+impl<P: Place> Drawing<P> {
+    /// A drawing of at most 99 points, all of which must lie where they may.
+    pub fn new(points: Vec<P>) -> Option<Drawing<P>> {
+        let fits = points.len() <= MAX_POINTS && points.iter().all(|&point| point.fits());
         fits.then_some(Drawing { points })
     }
 
     /// The control points.
-    pub fn points(&self) -> &[Point<2>] {
+    pub fn points(&self) -> &[P] {
         &self.points
     }
 
@@ -41,13 +80,14 @@ impl Drawing {
     }
 
     /// The drawing after an edit; an edit that names a point that is not there changes nothing.
-    pub fn edited(&self, edit: Edit) -> Drawing {
+    #[must_use]
+    pub fn edited(&self, edit: Edit<P>) -> Drawing<P> {
         let mut points = self.points.clone();
         match edit {
             Edit::Insert(index, point) if !self.full() => {
-                points.insert(index.min(points.len()), clamped(point))
+                points.insert(index.min(points.len()), point.nearest())
             }
-            Edit::Move(index, point) if index < points.len() => points[index] = clamped(point),
+            Edit::Move(index, point) if index < points.len() => points[index] = point.nearest(),
             Edit::Delete(index) if index < points.len() => {
                 points.remove(index);
             }
@@ -61,26 +101,16 @@ impl Drawing {
     }
 }
 
-/// Whether a point lies in the field.
-pub(super) fn in_field([x, y]: Point<2>) -> bool {
-    (0.0..=FIELD[0]).contains(&x) && (0.0..=FIELD[1]).contains(&y)
-}
-
-/// The nearest point of the field.
-pub(super) fn clamped([x, y]: Point<2>) -> Point<2> {
-    [x.clamp(0.0, FIELD[0]), y.clamp(0.0, FIELD[1])]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn row(count: u8) -> Drawing {
+    fn row(count: u8) -> Drawing<Point<2>> {
         Drawing::new((0..count).map(|x| [f64::from(x), 0.0]).collect()).unwrap()
     }
 
-    fn order(drawing: &Drawing) -> Vec<f64> {
+    fn order(drawing: &Drawing<Point<2>>) -> Vec<f64> {
         drawing.points().iter().map(|point| point[0]).collect()
     }
 
@@ -105,6 +135,8 @@ mod tests {
         assert!(Drawing::new(vec![[0.0; 2]; 100]).is_none());
         assert!(Drawing::new(vec![[560.5, 0.0]]).is_none());
         assert!(Drawing::new(vec![[f64::NAN, 0.0]]).is_none());
+        assert!(Drawing::new(vec![[f64::NAN, 0.0, 0.0]]).is_none());
+        assert!(Drawing::new(vec![[-1e9, 0.0, 1e100]]).is_some());
     }
 
     proptest! {

@@ -1,0 +1,44 @@
+//! The picture area that the curve editors draw in, its frame, and the discs of control points.
+
+use crate::screen::{Color, Screen};
+use crate::ui::{Area, sunken};
+
+/// The black area of the picture.
+pub(super) const PICTURE: Area = Area::new(29, 58, 633, 462);
+/// Its frame.
+const FRAME: Area = Area::new(25, 54, 637, 466);
+/// Radius of a control point's disc in pixels.
+const RADIUS: i32 = 10;
+
+/// The black ground of the picture.
+pub(super) fn ground(screen: &mut Screen) {
+    screen.bar(PICTURE.x1, PICTURE.y1, PICTURE.x2, PICTURE.y2, Color::Black);
+}
+
+/// Everything around the picture: drawn after it, so that a curve that leaves the field goes under.
+pub(super) fn surroundings(screen: &mut Screen) {
+    let Area { x1, y1, x2, y2 } = FRAME;
+    screen.bar(0, 0, 639, y1, Color::LightCyan);
+    screen.bar(0, y2, 639, 479, Color::LightCyan);
+    screen.bar(0, y1, x1, y2, Color::LightCyan);
+    screen.bar(x2, y1, 639, y2, Color::LightCyan);
+    sunken(screen, FRAME, 4);
+}
+
+/// A pixel's coordinate. Rounds halves to even, as the original does; what is far outside stays far
+/// outside.
+pub(super) fn pixel(value: f64) -> i32 {
+    value.round_ties_even().clamp(-30_000.0, 30_000.0) as i32
+}
+
+/// The disc of a control point with its number, counted from 1.
+pub(super) fn numbered_disc(screen: &mut Screen, (x, y): (i32, i32), number: usize, fill: Color) {
+    screen.disc(x, y, RADIUS, fill, Color::White);
+    let text_x = if number <= 9 { x - 2 } else { x - 7 };
+    screen.text(text_x, y - 3, &number.to_string(), Color::White);
+}
+
+/// Whether a pixel lies on the disc around another.
+pub(super) fn on_disc((center_x, center_y): (i32, i32), (x, y): (i32, i32)) -> bool {
+    (x - center_x).pow(2) + (y - center_y).pow(2) <= RADIUS.pow(2)
+}

@@ -1,0 +1,157 @@
+//! The commands of the space editor that ask for something.
+
+use super::{Drawing, Editor, Stage, Tools};
+use crate::editor::beta::{ask_bias, ask_tension};
+use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_method};
+use crate::editor::configuration::{Next, event, quit};
+use crate::editor::drawing::Edit;
+use crate::editor::points::{PointEditor, change, delete, insert};
+use crate::geometry::{Method, Point, Shape};
+use crate::machine::{Key, Quit};
+use crate::screen::Color;
+use crate::ui::words::{self, Phrase, Words};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay};
+
+/// What four characters can say, as in the original.
+const COORDINATES: std::ops::RangeInclusive<i32> = -999..=9999;
+
+impl PointEditor for Editor {
+    type Place = Point<3>;
+
+    fn drawing(&self) -> &Drawing {
+        self.history.now()
+    }
+
+    /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
+    fn edit(&mut self, edit: Edit<Point<3>>) {
+        self.history.change(self.history.now().edited(edit));
+        if !self.follow {
+            self.choice = None;
+            self.visible = false;
+        }
+        self.note = None;
+    }
+
+    async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<3>>, Quit> {
+        let axes = [(215, Words("x = ", "x = ")), (295, Words("y = ", "y = ")), (375, Words("z = ", "z = "))];
+        let title = Caption::new((300, 13), words::PLACE_3D);
+        let names = axes.map(|(x, text)| Caption::new((x, 30), text).colored(Color::LightMagenta));
+        let fields = axes.map(|(x, _)| Field {
+            area: Area::new(x + 27, 27, x + 65, 39),
+            at: (x + 31, 30),
+            longest: 4,
+            kind: Number::Whole(COORDINATES),
+        });
+        let form = Form::new([title].into_iter().chain(names).collect(), fields.to_vec());
+        let numbers = desk.numbers(self, &form).await?;
+        Ok(numbers.map(|numbers| [numbers[0], numbers[1], numbers[2]]))
+    }
+
+    fn point_out(&mut self, index: Option<usize>) {
+        self.pointed_out = index;
+    }
+}
+
+impl Editor {
+    /// Carries out the command of a letter; other letters do nothing.
+    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
+        match (letter, self.tools) {
+            ('B', _) => insert(self, desk).await?,
+            ('V', _) => change(self, desk).await?,
+            ('T', _) => delete(self, desk).await?,
+            ('G', _) => self.choose_curve(desk).await?,
+            ('E', _) => self.show_result(desk).await?,
+            ('A', Tools::Beta) => {
+                if let Some(bias) = ask_bias(desk, self).await? {
+                    self.reshape(desk, Shape { bias, ..self.shape });
+                }
+            }
+            ('C', Tools::Beta) => {
+                if let Some(tension) = ask_tension(desk, self).await? {
+                    self.reshape(desk, Shape { tension, ..self.shape });
+                }
+            }
+            ('Q', _) => {
+                let next = quit(self, desk).await?;
+                self.visible &= self.follow;
+                return Ok(next);
+            }
+            _ => {}
+        }
+        Ok(Next::Work)
+    }
+
+    /// Takes another shape of the beta-spline. The curve of the old one goes, unless it shall follow; a
+    /// shape that has no curve is told about, and kept as the user gave it.
+    fn reshape(&mut self, desk: &mut Desk<'_>, shape: Shape) {
+        self.shape = shape;
+        if let Some(choice) = &mut self.choice {
+            choice.method = shape.method();
+        }
+        self.visible &= self.follow;
+        if let Err(error) = shape.method().check() {
+            desk.tell(words::no_curve(&error), Stay::UntilRead);
+        }
+    }
+
+    /// Why a curve cannot be drawn.
+    fn problem(&self, choice: Choice) -> Option<Phrase> {
+        let points = self.history.now().points();
+        if points.len() < FEWEST {
+            return Some(words::TOO_FEW.into());
+        }
+        choice.curve(points).err().map(|error| words::no_curve(&error))
+    }
+
+    async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        if self.history.now().points().len() < FEWEST {
+            desk.tell(words::TOO_FEW, Stay::Briefly);
+            return Ok(());
+        }
+        self.stage = Stage::Choosing;
+        self.note = None;
+        let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
+        let method = match self.tools {
+            Tools::Methods => ask_method(desk, self).await?,
+            Tools::Beta => Some(self.shape.method()),
+        };
+        let Some(method) = method else { return Ok(()) };
+        let choice = Choice { closure, method };
+        if let Some(problem) = self.problem(choice) {
+            self.choice = None;
+            self.visible = false;
+            desk.tell(problem, Stay::UntilRead);
+            return Ok(());
+        }
+        self.choice = Some(choice);
+        self.visible = true;
+        if let Method::Coons { k0 } = method {
+            self.note = Some(format!("k0 = {k0:.2}"));
+        }
+        Ok(())
+    }
+
+    /// Shows the curve without its surroundings, to be looked at from all sides, until Esc.
+    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        let Some(choice) = self.choice else {
+            desk.tell(words::NO_CURVE, Stay::Briefly);
+            return Ok(());
+        };
+        if let Some(problem) = self.problem(choice) {
+            desk.tell(problem, Stay::UntilRead);
+            return Ok(());
+        }
+        let question = Question::yes_no(words::ASK_POINTS);
+        let Some(answer) = desk.ask(self, &question).await? else { return Ok(()) };
+        self.stage = Stage::Result { points: answer == Answer::First };
+        loop {
+            let tick = event(self, desk).await?;
+            if !self.look_around(&tick) && tick.pressed(Key::Esc) {
+                break;
+            }
+        }
+        self.visible &= self.follow;
+        self.note = None;
+        Ok(())
+    }
+}

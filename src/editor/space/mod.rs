@@ -1,0 +1,362 @@
+//! The editor of curves in space: control points on three axes, seen from a direction that the user
+//! turns, and the curves through them or near them (chapters 2.3.3 to 2.3.7 in three dimensions). Which
+//! curves are offered is the program's choice of [`Tools`].
+
+mod commands;
+mod look;
+mod picture;
+
+use super::History;
+use super::beta::BUTTONS;
+use super::choice::{COMMANDS, Choice, METHODS};
+use super::configuration::{self, Configuration, Next, common_key, event};
+use super::drawing::{self, Edit};
+use super::field::PICTURE;
+use crate::file::{Document, Format, SpacePoints};
+use crate::geometry::{Closure, Point, Shape};
+use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
+use crate::ui::words::{self, Phrase};
+use crate::ui::{self, Desk, KeyHelp, Manual, Stay, Words};
+use look::Look;
+use serde::Serialize;
+
+/// The control points of a curve in space.
+pub type Drawing = drawing::Drawing<Point<3>>;
+
+/// The curves that a program offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tools {
+    /// Coons-Hermite, Bézier, spline, quadratic and cubic B-spline.
+    Methods,
+    /// The beta-spline with bias and tension.
+    Beta,
+}
+
+impl Tools {
+    /// The buttons beside the page, below the commands.
+    fn buttons(self) -> &'static [ui::Button] {
+        match self {
+            Tools::Methods => &METHODS,
+            Tools::Beta => &BUTTONS,
+        }
+    }
+}
+
+/// What the screen shows besides the points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// Before there is a configuration; before the first one there are no buttons either.
+    Starting { buttons: bool },
+    /// Editing.
+    Working,
+    /// Editing, while the curve is being chosen.
+    Choosing,
+    /// The curve without its surroundings, with or without the control points.
+    Result { points: bool },
+}
+
+/// A point under the mouse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Held {
+    /// Which one.
+    index: usize,
+    /// Where the mouse took it up.
+    pressed: (i32, i32),
+    /// Where it is held.
+    at: Point<3>,
+}
+
+/// The editor's whole state.
+struct Editor {
+    tools: Tools,
+    history: History<Drawing>,
+    look: Look,
+    /// Where a turn by the mouse began: the look and the pixel.
+    turning: Option<(Look, (i32, i32))>,
+    /// The curve of the last "G"; `None` after a change by number, as in the original.
+    choice: Option<Choice>,
+    /// Whether the chosen curve is in the picture.
+    visible: bool,
+    /// Whether the curve stays in the picture after a change and follows it.
+    follow: bool,
+    /// The shape of the beta-spline; it outlives a configuration.
+    shape: Shape,
+    held: Option<Held>,
+    stage: Stage,
+    /// The point that is about to be changed.
+    pointed_out: Option<usize>,
+    /// What the communication page says between two questions.
+    note: Option<String>,
+}
+
+/// The model as `dump` writes it. Angles are in degrees.
+#[derive(Serialize)]
+struct Model {
+    points: Vec<Point<3>>,
+    method: Option<&'static str>,
+    closed: Option<bool>,
+    bias: f64,
+    tension: f64,
+    visible: bool,
+    azimuth: f64,
+    elevation: f64,
+    zoom: f64,
+    unsaved: bool,
+}
+
+const DRAG: KeyHelp = (Words("egér", "mouse"), words::HELP_DRAG_3D);
+const TURN_DRAG: KeyHelp = (Words("jobb gomb", "right button"), words::HELP_TURN_DRAG);
+const TURN_KEYS: KeyHelp = (Words("nyilak", "arrows"), words::HELP_TURN_KEYS);
+const ZOOM: KeyHelp = (Words("kerék", "wheel"), words::HELP_ZOOM);
+const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);
+const INSERT: KeyHelp = (Words("B", "B"), words::HELP_INSERT);
+const CHANGE: KeyHelp = (Words("V", "V"), words::HELP_CHANGE);
+const DELETE: KeyHelp = (Words("T", "T"), words::HELP_DELETE);
+const RESULT: KeyHelp = (Words("E", "E"), words::HELP_RESULT);
+const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
+const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_FOLLOW);
+const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
+
+/// The keys of the editor with [`Tools::Methods`] for its help page.
+pub const METHOD_KEYS: &[KeyHelp] = &[
+    INSERT,
+    CHANGE,
+    DELETE,
+    (Words("G 1-4", "G 1-4"), words::HELP_CURVE),
+    RESULT,
+    QUIT,
+    DRAG,
+    TURN_DRAG,
+    TURN_KEYS,
+    ZOOM,
+    HOME,
+    FOLLOW,
+    SAVE,
+];
+
+/// The keys of the editor with [`Tools::Beta`] for its help page.
+pub const BETA_KEYS: &[KeyHelp] = &[
+    INSERT,
+    CHANGE,
+    DELETE,
+    (Words("A", "A"), words::HELP_BIAS),
+    (Words("C", "C"), words::HELP_TENSION),
+    (Words("G", "G"), words::HELP_CURVE_SHAPE),
+    RESULT,
+    QUIT,
+    DRAG,
+    TURN_DRAG,
+    TURN_KEYS,
+    ZOOM,
+    HOME,
+    FOLLOW,
+    SAVE,
+];
+
+/// Runs the editor as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed and nothing is left to save.
+pub async fn run(
+    machine: &mut Machine,
+    manual: Manual,
+    tools: Tools,
+    document: Option<Document>,
+) -> Result<(), Quit> {
+    configuration::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
+}
+
+/// Whether the editor can work with a document; else why not.
+///
+/// # Errors
+/// The reason, in both languages.
+pub fn check(document: &Document) -> Result<(), Phrase> {
+    drawing_of(document).map(|_| ())
+}
+
+fn drawing_of(document: &Document) -> Result<Drawing, Phrase> {
+    let Document::SpacePoints(SpacePoints { points, .. }) = document else {
+        return Err(words::NOT_IN_SPACE.into());
+    };
+    Drawing::new(points.clone()).ok_or(words::OUTSIDE_SPACE.into())
+}
+
+impl Configuration for Editor {
+    type Value = Drawing;
+
+    fn format(&self) -> Format {
+        Format::Ip3
+    }
+
+    fn history(&mut self) -> &mut History<Drawing> {
+        &mut self.history
+    }
+
+    fn reset(&mut self) {
+        let first = self.stage == Stage::Starting { buttons: false };
+        self.stage = Stage::Starting { buttons: !first };
+        self.load(Drawing::default());
+    }
+
+    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
+        self.load(drawing_of(document)?);
+        Ok(())
+    }
+
+    fn document(&self) -> Document {
+        Document::SpacePoints(SpacePoints::new(self.history.now().points().to_vec()))
+    }
+
+    fn model(&self) -> impl Serialize + 'static {
+        Model {
+            points: self.history.now().points().to_vec(),
+            method: self.choice.map(|choice| choice.method.name()),
+            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
+            bias: self.shape.bias,
+            tension: self.shape.tension,
+            visible: self.visible,
+            azimuth: self.look.view.azimuth().to_degrees(),
+            elevation: self.look.view.elevation().to_degrees(),
+            zoom: self.look.scale(),
+            unsaved: self.history.unsaved(),
+        }
+    }
+
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+        self.held = None;
+        self.turning = None;
+        self.pointed_out = None;
+        loop {
+            self.stage = Stage::Working;
+            let tick = event(self, desk).await?;
+            if self.held.is_some() {
+                self.drag(&tick);
+            } else if self.look_around(&tick) {
+                // Only the picture changes.
+            } else if common_key(self, desk, tick.key()).await? {
+                self.visible &= self.follow;
+            } else if let Some(letter) = self.command(&tick) {
+                let next = self.obey(desk, letter).await?;
+                if next != Next::Work {
+                    return Ok(next);
+                }
+            } else if tick.pressed(Key::F(3)) {
+                self.toggle_follow(desk);
+            }
+        }
+    }
+}
+
+impl Editor {
+    fn new(tools: Tools) -> Editor {
+        Editor {
+            tools,
+            history: History::new(Drawing::default()),
+            look: Look::default(),
+            turning: None,
+            choice: None,
+            visible: false,
+            follow: false,
+            shape: Shape::default(),
+            held: None,
+            stage: Stage::Starting { buttons: false },
+            pointed_out: None,
+            note: None,
+        }
+    }
+
+    /// Takes up a drawing that needs no saving, and looks at it as at the start.
+    fn load(&mut self, drawing: Drawing) {
+        self.history = History::new(drawing);
+        self.look = Look::default();
+        self.turning = None;
+        self.choice = None;
+        self.visible = false;
+        self.held = None;
+        self.pointed_out = None;
+        self.note = None;
+    }
+
+    /// The command letter of a key or of a click on a button; a click on a disc takes it up.
+    fn command(&mut self, tick: &Tick) -> Option<char> {
+        let Some((x, y)) = tick.click() else { return tick.letter() };
+        if let Some(index) = self.point_at(x, y) {
+            let at = self.history.now().points().get(index).copied()?;
+            self.held = Some(Held { index, pressed: (x, y), at });
+            return None;
+        }
+        let own = match self.tools {
+            Tools::Methods => &[],
+            Tools::Beta => self.tools.buttons(),
+        };
+        let button = COMMANDS.iter().chain(own).find(|button| button.hit(x, y));
+        button.map(|button| button.text.letter)
+    }
+
+    /// Follows the mouse with the point that it holds, in the plane of the picture, and drops it.
+    fn drag(&mut self, tick: &Tick) {
+        let Some(held) = &mut self.held else { return };
+        match tick.event {
+            Some(Event::Move(..)) => {
+                let from = self.history.now().points().get(held.index).copied().unwrap_or(held.at);
+                let x = tick.mouse.x.clamp(PICTURE.x1, PICTURE.x2);
+                let y = tick.mouse.y.clamp(PICTURE.y1, PICTURE.y2);
+                let by = (x - held.pressed.0, y - held.pressed.1);
+                // A hand that only clicks does not move the point.
+                if by.0 * by.0 + by.1 * by.1 > 2 {
+                    held.at = self.look.dragged(from, by);
+                }
+            }
+            Some(Event::Release(Button::Left)) => {
+                self.history.change(self.preview());
+                self.held = None;
+                self.visible &= self.follow;
+            }
+            Some(Event::Key(Key::Esc)) => self.held = None,
+            _ => {}
+        }
+    }
+
+    /// The drawing as it would be if the held point were dropped now.
+    fn preview(&self) -> Drawing {
+        let now = self.history.now();
+        match self.held {
+            Some(held) => now.edited(Edit::Move(held.index, held.at)),
+            None => now.clone(),
+        }
+    }
+
+    /// Turns and zooms by arrow keys, right button and wheel. Whether the event was for that.
+    fn look_around(&mut self, tick: &Tick) -> bool {
+        if let Some((from, (x, y))) = self.turning {
+            match tick.event {
+                Some(Event::Key(Key::Esc)) => (self.look, self.turning) = (from, None),
+                _ if !tick.mouse.holds(Button::Right) => self.turning = None,
+                _ => self.look = from.turned_by((tick.mouse.x - x, tick.mouse.y - y)),
+            }
+            return true;
+        }
+        match tick.event {
+            Some(Event::Press(Button::Right)) => {
+                self.turning = Some((self.look, (tick.mouse.x, tick.mouse.y)));
+                true
+            }
+            Some(Event::Wheel(steps)) => {
+                self.look = self.look.zoomed(steps);
+                true
+            }
+            Some(Event::Key(key)) => {
+                let look = self.look.after(key);
+                self.look = look.unwrap_or(self.look);
+                look.is_some()
+            }
+            _ => false,
+        }
+    }
+
+    fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
+        self.follow = !self.follow;
+        self.visible = self.follow && self.choice.is_some();
+        desk.tell(if self.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
+    }
+}
