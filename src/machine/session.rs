@@ -3,7 +3,7 @@
 //! Frames and deadlines fall on a fixed grid of the session's own time, whatever the display's rate, so
 //! that a recorded session replays to the same pictures.
 
-use super::event::{Event, Tick};
+use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
 use super::{Language, Machine, Pointer, Quit};
@@ -66,6 +66,11 @@ impl Session {
             Pointer::Hidden => None,
             Pointer::Shown(masks) => Some((masks, port.mouse.x, port.mouse.y)),
         }
+    }
+
+    /// Where the mouse is and what it holds, as the program knows it.
+    pub fn mouse(&self) -> Mouse {
+        self.port.borrow().mouse
     }
 
     /// A copy of the screen with the program's mouse pointer on it, as a display shows it.

@@ -94,7 +94,7 @@ impl Desktop {
         let connected = std::panic::catch_unwind(EventLoop::new);
         match connected {
             Ok(Ok(events)) => Ok(Desktop { events }),
-            Ok(Err(error)) => Err(WindowError::Open(error.to_string())),
+            Ok(Err(error)) => Err(WindowError::Open(reason(&error))),
             Err(_) => Err(WindowError::Open("a library of the desktop is missing".to_string())),
         }
     }
@@ -113,7 +113,7 @@ impl Desktop {
         let ran = self.events.run_app_on_demand(&mut view);
         match view.problem {
             Some(problem) => Err(problem),
-            None => ran.map_err(|error| WindowError::Open(error.to_string())),
+            None => ran.map_err(|error| WindowError::Open(reason(&error))),
         }
     }
 }
@@ -183,8 +183,7 @@ impl<'s> View<'s> {
             .with_window_icon(icon())
             .with_inner_size(PhysicalSize::new(WIDTH as u32 * scale, HEIGHT as u32 * scale));
         let attributes = named(attributes, &self.options.title);
-        let window =
-            desktop.create_window(attributes).map_err(|error| WindowError::Open(error.to_string()))?;
+        let window = desktop.create_window(attributes).map_err(|error| WindowError::Open(reason(&error)))?;
         let window = Rc::new(window);
         // The picture has a pointer of its own.
         window.set_cursor_visible(false);
@@ -350,6 +349,13 @@ impl ApplicationHandler for View<'_> {
 
 fn layout_of(size: PhysicalSize<u32>) -> Layout {
     Layout::of((size.width as usize, size.height as usize))
+}
+
+/// An error of the windowing library without the line of the library's source that found it.
+fn reason(error: &dyn fmt::Display) -> String {
+    let text = error.to_string();
+    let message = text.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
+    message.map_or(text.as_str(), |(_, message)| message).trim_end_matches('.').to_string()
 }
 
 /// The scale for a desktop: 2 where its pixels are of the usual size, more where they are finer, but never
