@@ -273,7 +273,7 @@ mod tests {
     fn areas_and_thin_lines_show() {
         let mut screen = Screen::new();
         screen.clear(Color::White);
-        screen.bar(8, 16, 15, 23, Color::Red);
+        screen.bar(8, 16, 15, 22, Color::Red);
         screen.line(100, 0, 100, 479, Stroke::thin(Color::Blue));
         let cells = grid(&screen, Some((639, 479)), place(80, 30));
         assert_eq!(cells[81], Cell { ch: '▀', ink: 4, paper: 15 });
