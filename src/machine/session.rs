@@ -3,7 +3,7 @@
 //! Frames and deadlines fall on a fixed grid of the session's own time, whatever the display's rate, so
 //! that a recorded session replays to the same pictures.
 
-use super::event::{Event, Tick};
+use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
 use super::{Language, Machine, Pointer, Quit};
@@ -66,6 +66,11 @@ impl Session {
             Pointer::Hidden => None,
             Pointer::Shown(masks) => Some((masks, port.mouse.x, port.mouse.y)),
         }
+    }
+
+    /// Where the mouse is and what it holds, as the program knows it.
+    pub fn mouse(&self) -> Mouse {
+        self.port.borrow().mouse
     }
 
     /// A copy of the screen with the program's mouse pointer on it, as a display shows it.
@@ -164,15 +169,12 @@ impl Clock {
         Duration::from_millis(u64::try_from(self.0.elapsed().as_millis()).unwrap_or(u64::MAX))
     }
 
-    /// How long a display may sleep before the session's deadline, if there is one, and at most `longest`.
-    /// A deadline within a millisecond is awaited to its end, as the clock counts whole ones.
-    pub(super) fn pause(&self, session: &Session, longest: Duration) -> Duration {
-        let Some(deadline) = session.deadline() else { return longest };
-        let rest = deadline.saturating_sub(self.0.elapsed());
-        // The first whole millisecond that is not before the deadline.
-        let late =
-            Duration::from_nanos(u64::from((1_000_000 - deadline.subsec_nanos() % 1_000_000) % 1_000_000));
-        rest.saturating_add(late).min(longest)
+    /// When the session wants to run again without any event: the first whole millisecond that is not
+    /// before its deadline.
+    pub(super) fn due(&self, session: &Session) -> Option<std::time::Instant> {
+        let deadline = session.deadline()?;
+        let milliseconds = u64::try_from(deadline.as_nanos().div_ceil(1_000_000)).unwrap_or(u64::MAX);
+        self.0.checked_add(Duration::from_millis(milliseconds))
     }
 }
 

@@ -62,10 +62,7 @@ impl fmt::Display for WindowError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             WindowError::Scale(scale) => {
-                write!(
-                    f,
-                    "the window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}"
-                )
+                write!(f, "the window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}")
             }
             WindowError::Open(message) => {
                 write!(f, "no window could be opened ({message}); try the terminal display")
@@ -111,7 +108,9 @@ pub fn run(session: &mut Session, options: &WindowOptions) -> Result<(), WindowE
             view.reopen(view.size)?;
         }
         let busy = last_change.elapsed() < BUSY;
-        std::thread::sleep(clock.pause(session, if busy { ACTIVE_PAUSE } else { IDLE_PAUSE }));
+        let longest = if busy { ACTIVE_PAUSE } else { IDLE_PAUSE };
+        let rest = clock.due(session).map(|due| due.saturating_duration_since(Instant::now()));
+        std::thread::sleep(rest.unwrap_or(longest).min(longest));
     }
     Ok(())
 }
