@@ -134,12 +134,12 @@ impl Desktop {
         (i32::from(geometry.width), i32::from(geometry.height))
     }
 
-    /// The colour of a pixel of the window.
+    /// The colour of a pixel of the window; no colour at all while the window is on its way.
     fn color(&self, x: i32, y: i32) -> u32 {
         let (x, y) = (x as i16, y as i16);
         let image = self.connection.get_image(ImageFormat::Z_PIXMAP, self.window, x, y, 1, 1, !0).unwrap();
-        let data = image.reply().unwrap().data;
-        u32::from_le_bytes([data[0], data[1], data[2], 0])
+        let Ok(image) = image.reply() else { return u32::MAX };
+        u32::from_le_bytes([image.data[0], image.data[1], image.data[2], 0])
     }
 
     /// The place in the window of a pixel of the picture.

@@ -60,6 +60,10 @@ fn live(
             crate::machine::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
         return crate::machine::window::run(session, &options).map_err(Failure::work);
     }
+    #[cfg(feature = "terminal")]
+    if wish != Some(DisplayKind::Window) {
+        return crate::machine::terminal::run(session).map_err(Failure::work);
+    }
     let _ = (session, name, wish, options);
     Err(Failure::work("this build has no such display; play a script with --script FILE"))
 }

@@ -31,6 +31,8 @@ mod samples;
 mod script;
 mod session;
 mod storage;
+#[cfg(feature = "terminal")]
+pub mod terminal;
 #[cfg(feature = "window")]
 pub mod window;
 

@@ -38,10 +38,7 @@ impl Layout {
             // The conversion saturates and turns a NaN into 0.
             (pixel.floor() as i32).clamp(0, size as i32 - 1)
         };
-        (
-            along(x, self.corner.0, self.shown.0, PICTURE.0),
-            along(y, self.corner.1, self.shown.1, PICTURE.1),
-        )
+        (along(x, self.corner.0, self.shown.0, PICTURE.0), along(y, self.corner.1, self.shown.1, PICTURE.1))
     }
 
     /// Whether a place lies in the window.

@@ -62,7 +62,10 @@ impl fmt::Display for WindowError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             WindowError::Scale(scale) => {
-                write!(f, "the window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}")
+                write!(
+                    f,
+                    "the window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}"
+                )
             }
             WindowError::Open(message) => {
                 write!(f, "no window could be opened ({message}); try the terminal display")
