@@ -59,7 +59,7 @@ impl Figure {
                 writeln!(out, "{}", if belongs { &world } else { "</g>" })?;
                 in_world = belongs;
             }
-            write_item(out, item, layout, enlarged)?;
+            write_item(out, item, layout)?;
         }
         if in_world {
             writeln!(out, "</g>")?;
@@ -69,11 +69,13 @@ impl Figure {
     }
 }
 
-fn write_item(out: &mut String, item: &Item, layout: &Layout, enlarged: f64) -> fmt::Result {
+fn write_item(out: &mut String, item: &Item, layout: &Layout) -> fmt::Result {
     match item {
-        Item::Curve { arcs, closure, style } => write_path(out, &curve_data(arcs, *closure), style, enlarged),
+        Item::Curve { arcs, closure, style } => {
+            write_path(out, &curve_data(arcs, *closure), style, layout.scale)
+        }
         Item::Polyline { points, closure, style } => {
-            write_path(out, &polyline_data(points, *closure), style, enlarged)
+            write_path(out, &polyline_data(points, *closure), style, layout.scale)
         }
         Item::Disc { at, radius, style, .. } => {
             let [x, y] = layout.place(*at);
@@ -86,13 +88,14 @@ fn write_item(out: &mut String, item: &Item, layout: &Layout, enlarged: f64) -> 
 }
 
 /// A path in world coordinates; one without any point is left out.
-fn write_path(out: &mut String, data: &str, style: &Style, enlarged: f64) -> fmt::Result {
+fn write_path(out: &mut String, data: &str, style: &Style, scale: f64) -> fmt::Result {
     if data.is_empty() {
         return Ok(());
     }
-    write!(out, "<path d=\"{data}\" vector-effect=\"non-scaling-stroke\"")?;
-    // Strokes that do not scale are measured in the pixels of the document.
-    write_style(out, style, enlarged)?;
+    write!(out, "<path d=\"{data}\"")?;
+    // Within the group everything is enlarged by the scale, line widths too. The attribute
+    // vector-effect would keep them, but several readers do not know it.
+    write_style(out, style, 1.0 / scale)?;
     writeln!(out, "/>")
 }
 
@@ -134,13 +137,14 @@ fn command(data: &mut String, letter: &str, points: &[Point<2>]) {
     }
 }
 
-fn write_style(out: &mut String, style: &Style, enlarged: f64) -> fmt::Result {
+/// The style; a nominal pixel measures `pixel` where it is used.
+fn write_style(out: &mut String, style: &Style, pixel: f64) -> fmt::Result {
     write!(out, " fill=\"{}\"", Paint(style.fill))?;
     let Some(stroke) = style.stroke else { return Ok(()) };
-    write!(out, " stroke=\"{}\" stroke-width=\"{}\"", Paint(Some(stroke)), Number(style.width * enlarged))?;
+    write!(out, " stroke=\"{}\" stroke-width=\"{}\"", Paint(Some(stroke)), Number(style.width * pixel))?;
     write!(out, " stroke-linejoin=\"round\" stroke-linecap=\"round\"")?;
     if let Some([dash, gap]) = style.dash {
-        write!(out, " stroke-dasharray=\"{} {}\"", Number(dash * enlarged), Number(gap * enlarged))?;
+        write!(out, " stroke-dasharray=\"{} {}\"", Number(dash * pixel), Number(gap * pixel))?;
     }
     Ok(())
 }
