@@ -21,9 +21,9 @@ fn star() -> Figure {
     let curve = Curve::through(Method::Spline, Closure::Closed, &STAR).unwrap();
     let mut figure = Figure::new();
     figure.set_title("Görbe <5 pont> & \"őű\"");
-    figure.polyline(STAR.to_vec(), Closure::Closed, Style::line(GRAY, 1.0).dashed(6.0, 4.0));
     let style = Style { fill: Some([230, 240, 255]), ..Style::line(BLUE, 2.0) };
     figure.curve(curve.to_cubics(1e-6).unwrap(), Closure::Closed, style);
+    figure.polyline(STAR.to_vec(), Closure::Closed, Style::line(GRAY, 1.0).dashed(6.0, 4.0));
     for (index, &point) in STAR.iter().enumerate() {
         figure.disc(point, 5.0, Style::filled(WHITE, [170, 0, 0]), Some(format!("P{}", index + 1)));
     }
