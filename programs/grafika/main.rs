@@ -14,6 +14,7 @@ mod gb_3d_ip;
 mod convert;
 mod curve;
 mod menu;
+mod render;
 mod sample;
 
 use clap::error::ErrorKind;
@@ -49,6 +50,8 @@ enum Command {
     },
     /// Write points of a curve as CSV or JSON
     Sample(sample::Sample),
+    /// Draw a curve as PNG or SVG
+    Render(render::Render),
     /// Convert a data file into another format, by the extensions
     Convert(convert::Convert),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
@@ -71,6 +74,7 @@ fn run() -> Result<(), Failure> {
             write_output(None, format!("{lines}\n").as_bytes())
         }
         Some(Command::Sample(sample)) => sample.run(),
+        Some(Command::Render(render)) => render.run(),
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Program(words)) => run_program(words),
     }
