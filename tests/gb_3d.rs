@@ -201,6 +201,50 @@ fn a_saved_configuration_is_loaded_again() {
     }
 }
 
+/// Runs `grafika sample` on the sample cube.
+fn sample(options: &str) -> std::process::Output {
+    std::process::Command::new(env!("CARGO_BIN_EXE_grafika"))
+        .current_dir(common::path("golden"))
+        .args(["sample", "A.IP3", "--closed", "--per-span", "4"])
+        .args(options.split(' '))
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn a_sampled_beta_spline_has_its_joints_where_the_book_says() {
+    let corners = points(&play_cube(BT, ""));
+    for (bias, tension) in [(1.0, 0.0), (2.0, 5.0), (0.5, -1.5), (2.0, -31.0)] {
+        let output = sample(&format!("--method beta --bias {bias} --tension {tension}"));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let mut lines = text.lines();
+        assert_eq!(lines.next(), Some("span,u,x,y,z"));
+        let rows: Vec<Vec<f64>> =
+            lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+        assert_eq!(rows.len(), 8 * 5);
+        // (2.64) at u = 0.
+        let weights = [bias * bias * bias, 2.0 * bias * (bias + 1.0) + tension, 1.0];
+        let delta: f64 = weights.iter().sum();
+        for (span, row) in rows.iter().step_by(5).enumerate() {
+            assert_eq!(row[..2], [span as f64, 0.0]);
+            for axis in 0..3 {
+                let expected: f64 =
+                    (0..3).map(|k| weights[k] / delta * corners[(span + 7 + k) % 8][axis]).sum();
+                assert!((row[2 + axis] - expected).abs() < 1e-10, "{bias} {tension} {row:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn sampling_at_the_critical_tension_fails_with_a_sentence() {
+    let output = sample("--method beta --bias 2 --tension -21");
+    assert_eq!(output.status.code(), Some(1));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("tension -21 is the critical one for bias 2"), "{message}");
+    assert!(output.stdout.is_empty());
+}
+
 #[test]
 fn files_of_another_kind_are_refused() {
     use grafika::file::{Document, Format, SpacePoints};
