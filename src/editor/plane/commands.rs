@@ -19,10 +19,7 @@ impl PointEditor for Editor {
     /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
     fn edit(&mut self, edit: Edit<Point<2>>) {
         self.history.change(self.history.now().edited(edit));
-        if !self.follow {
-            self.choice = None;
-            self.visible = false;
-        }
+        self.shown.after_edit();
         self.note = None;
     }
 
@@ -78,8 +75,7 @@ impl Editor {
         let choice = Choice { closure, method };
         match curves::pixels(choice, self.history.now().points()) {
             Ok(_) => {
-                self.choice = Some(choice);
-                self.visible = true;
+                self.shown.take(Some(choice));
                 if let Method::Coons { k0 } = method {
                     self.k0 = k0;
                     self.note = Some(format!("k0 = {k0:.2}"));
@@ -92,7 +88,7 @@ impl Editor {
 
     /// Shows the curve without its surroundings until Esc.
     async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.choice.is_none() || self.count() < FEWEST {
+        if self.shown.choice.is_none() || self.count() < FEWEST {
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(());
         }
@@ -101,7 +97,7 @@ impl Editor {
         let Some(answer) = answer else { return Ok(()) };
         self.stage = Stage::Result { points: answer == Answer::First };
         while !desk.event(self).await?.pressed(Key::Esc) {}
-        self.visible = true;
+        self.shown.visible = true;
         self.note = None;
         Ok(())
     }

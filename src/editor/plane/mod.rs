@@ -7,7 +7,7 @@ mod layout;
 mod picture;
 
 use super::History;
-use super::choice::{COMMANDS, Choice};
+use super::choice::{COMMANDS, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit, Place};
 use crate::file::{Document, Format, PlanePoints};
@@ -47,12 +47,7 @@ struct Held {
 /// The editor's whole state.
 struct Editor {
     history: History<Drawing>,
-    /// The curve of the last "G"; `None` after a change by number, as in the original.
-    choice: Option<Choice>,
-    /// Whether the chosen curve is in the picture.
-    visible: bool,
-    /// Whether the curve stays in the picture after a change and follows it.
-    follow: bool,
+    shown: Shown,
     /// Curves that are shown besides the chosen one.
     compared: Vec<Kind>,
     /// The coefficient of the Coons-Hermite tangents.
@@ -138,10 +133,10 @@ impl Configuration for Editor {
     fn model(&self) -> impl Serialize + 'static {
         Model {
             points: self.history.now().points().to_vec(),
-            method: self.choice.map(|choice| choice.method.name()),
-            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
+            method: self.shown.choice.map(|choice| choice.method.name()),
+            closed: self.shown.choice.map(|choice| choice.closure == Closure::Closed),
             k0: self.k0,
-            visible: self.visible,
+            visible: self.shown.visible,
             compared: self.compared.clone(),
             unsaved: self.history.unsaved(),
         }
@@ -155,14 +150,14 @@ impl Configuration for Editor {
             if self.held.is_some() {
                 self.drag(desk, &tick);
             } else if common_key(self, desk, tick.key()).await? {
-                self.visible &= self.follow;
+                self.shown.after_change();
             } else if let Some(letter) = self.command(&tick) {
                 let next = self.obey(desk, letter).await?;
                 if next != Next::Work {
                     return Ok(next);
                 }
             } else if tick.pressed(Key::F(3)) {
-                self.toggle_follow(desk);
+                self.shown.toggle_follow(desk);
             } else if tick.pressed(Key::F(4)) {
                 self.compare(desk).await?;
             }
@@ -174,9 +169,7 @@ impl Editor {
     fn new() -> Editor {
         Editor {
             history: History::new(Drawing::default()),
-            choice: None,
-            visible: false,
-            follow: false,
+            shown: Shown::default(),
             compared: Vec::new(),
             k0: 0.5,
             held: None,
@@ -187,14 +180,13 @@ impl Editor {
 
     /// The form of the curves: that of the chosen one, else open.
     fn closure(&self) -> Closure {
-        self.choice.map_or(Closure::Open, |choice| choice.closure)
+        self.shown.choice.map_or(Closure::Open, |choice| choice.closure)
     }
 
     /// Takes up a drawing that needs no saving.
     fn load(&mut self, drawing: Drawing) {
         self.history = History::new(drawing);
-        self.choice = None;
-        self.visible = false;
+        self.shown.take(None);
         self.held = None;
         self.note = None;
     }
@@ -231,7 +223,7 @@ impl Editor {
                 }
                 self.history.change(self.preview());
                 self.held = None;
-                self.visible &= self.follow;
+                self.shown.after_change();
             }
             Some(Event::Key(Key::Esc)) => self.held = None,
             _ => {}
@@ -248,11 +240,5 @@ impl Editor {
             (false, true) => now.edited(Edit::Insert(held.index, held.at)),
             (false, false) => now.clone(),
         }
-    }
-
-    fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
-        self.follow = !self.follow;
-        self.visible = self.follow && self.choice.is_some();
-        desk.tell(if self.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
     }
 }

@@ -36,7 +36,7 @@ impl Editor {
         ground(screen);
         grid(screen);
         screen.text(607, 67, words::STORE.of(language), Color::White);
-        if self.visible || self.held.is_some() || !self.compared.is_empty() {
+        if self.shown.visible || self.held.is_some() || !self.compared.is_empty() {
             self.draw_curves(screen);
         }
         self.draw_points(screen);
@@ -64,8 +64,8 @@ impl Editor {
             let choice = Choice { closure, method: kind.method(self.k0) };
             curves::draw(screen, choice, drawing.points(), color);
         }
-        let shown = self.visible || matches!(self.stage, Stage::Result { .. });
-        if let Some(choice) = self.choice.filter(|_| shown) {
+        let shown = self.shown.visible || matches!(self.stage, Stage::Result { .. });
+        if let Some(choice) = self.shown.choice.filter(|_| shown) {
             curves::draw(screen, choice, drawing.points(), Color::White);
         }
     }
