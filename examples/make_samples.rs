@@ -1,10 +1,11 @@
 //! Makes the sample files in `data/`: `cargo run --example make_samples [FOLDER]`.
 //!
-//! The disk of the book had `A.IP2` to `D.IP2` and `X.IP2` to `Z.IP2`; what exactly was in them is lost. These
-//! show what the book shows with such files: closed frames, multiple points (2.3.4 to 2.3.6), and a
-//! measured curve with noise and with an error (2.3.8). The same bytes come out every time.
+//! The disk of the book had `A.IP2` to `D.IP2`, `X.IP2` to `Z.IP2` and, in space, `A.IP3` and `B.IP3`; what exactly
+//! was in them is lost. These show what the book shows with such files: closed frames, multiple points
+//! (2.3.4 to 2.3.6), a measured curve with noise and with an error (2.3.8), and the "characteristic frames" of
+//! chapter 5's list as the corners of two solids. The same bytes come out every time.
 
-use grafika::file::{Document, FileError, Format, PlanePoints};
+use grafika::file::{Document, FileError, Format, PlanePoints, SpacePoints};
 
 type Point = [f64; 2];
 
@@ -22,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// Every sample file: its name and its bytes.
 pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
-    let all = [
+    let plane = [
         ("A.IP2", letter_a()),
         ("B.IP2", letter_b()),
         ("C.IP2", letter_c()),
@@ -31,7 +32,12 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ("Y.IP2", noisy()),
         ("Z.IP2", with_an_error()),
     ];
-    all.into_iter().map(|(name, points)| Ok((name, bytes(points)?))).collect()
+    let space = [("A.IP3", cube()), ("B.IP3", tetrahedron())];
+    let plane = plane.into_iter().map(|(name, points)| Ok((name, bytes(points)?)));
+    let space = space.into_iter().map(|(name, points)| {
+        Ok((name, Document::SpacePoints(SpacePoints::new(points)).write(Format::Ip3)?))
+    });
+    plane.chain(space).collect()
 }
 
 fn bytes(points: Vec<Point>) -> Result<Vec<u8>, FileError> {
@@ -106,6 +112,20 @@ fn with_an_error() -> Vec<Point> {
     let mut points: Vec<_> = (0..SPARSE).map(|k| gauss(40 * u16::from(k))).collect();
     points[10][1] += 160.0; // there are 15
     points
+}
+
+/// The corners of a cube, along a closed way over eight of its edges.
+fn cube() -> Vec<[f64; 3]> {
+    let lower = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let bottom = lower.iter().map(|&[x, y]| [x, y, -1.0]);
+    let top = lower.iter().rev().map(|&[x, y]| [x, y, 1.0]);
+    bottom.chain(top).map(|corner| corner.map(|c| 100.0 * c)).collect()
+}
+
+/// The corners of a regular tetrahedron.
+fn tetrahedron() -> Vec<[f64; 3]> {
+    let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    corners.map(|corner| corner.map(|c: f64| 120.0 * c)).to_vec()
 }
 
 /// Points on an arc of an ellipse with this centre and these half axes, between two angles in degrees.

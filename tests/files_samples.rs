@@ -11,11 +11,12 @@ use std::path::Path;
 fn the_samples_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
     let samples = make_samples::samples().unwrap();
-    assert_eq!(samples.len(), 7);
+    assert_eq!(samples.len(), 9);
     for (name, bytes) in samples {
         let found = std::fs::read(folder.join(name)).unwrap();
         assert!(found == bytes, "{name}: run `cargo run --example make_samples`");
-        let document = Document::read(Format::Ip2, &bytes).unwrap();
-        assert_eq!(document.write(Format::Ip2), Ok(bytes));
+        let format = if name.ends_with(".IP3") { Format::Ip3 } else { Format::Ip2 };
+        let document = Document::read(format, &bytes).unwrap();
+        assert_eq!(document.write(format), Ok(bytes));
     }
 }

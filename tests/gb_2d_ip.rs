@@ -5,41 +5,13 @@ mod common;
 #[path = "../programs/gb_2d_ip.rs"]
 mod gb_2d_ip;
 
-use common::{Kept, pictures, play_script, storage};
+use common::{Kept, pictures, play_script};
 use gb_2d_ip::PROGRAM;
 use grafika::machine::{Memory, Storage};
 
-/// The least part of all pixels that must agree with a screen of the original. Its letters are of
-/// another face, which alone is some 0.3 %.
-const LEAST_AGREEMENT: f64 = 0.985;
-
 #[test]
 fn every_reference_script_gives_the_originals_screen() {
-    let folder = common::path("reference/curves");
-    let mut scripts = 0;
-    let mut problems = Vec::new();
-    for entry in std::fs::read_dir(&folder).unwrap() {
-        let file = entry.unwrap().path();
-        let name = file.file_stem().unwrap().to_string_lossy().into_owned();
-        if file.extension().is_none_or(|extension| extension != "script") || !name.starts_with("GB_2D_IP_") {
-            continue;
-        }
-        let script = std::fs::read_to_string(&file).unwrap();
-        let needs = script.lines().find_map(|line| line.strip_prefix("# needs ")).unwrap_or("");
-        let files: Vec<&str> = needs.split_whitespace().collect();
-        let kept = play_script(PROGRAM, storage("reference/curves", &files), &script);
-        let picture = format!("{name}.png");
-        let ours = kept.pictures[&picture].pixels();
-        let theirs = pictures::read(&folder.join(&picture));
-        let agreement = pictures::agreement(ours, &theirs);
-        if agreement < LEAST_AGREEMENT {
-            let kept = pictures::keep_both(&name, ours, &theirs);
-            problems.push(format!("{name}: {agreement:.4} agree, see {}", kept.display()));
-        }
-        scripts += 1;
-    }
-    assert!(problems.is_empty(), "{}", problems.join("\n"));
-    assert_eq!(scripts, 30);
+    common::reference::assert_screens(PROGRAM, "reference/curves", "GB_2D_IP_", 30);
 }
 
 /// Six points in a new configuration.

@@ -43,6 +43,44 @@ impl Choice {
     }
 }
 
+/// The curve in the picture, and when it goes out of it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shown {
+    /// The curve of the last "G"; `None` after a change by number, as in the original.
+    pub(super) choice: Option<Choice>,
+    /// Whether it is in the picture.
+    pub(super) visible: bool,
+    /// Whether it stays in the picture after a change and follows it.
+    pub(super) follow: bool,
+}
+
+impl Shown {
+    /// Shows another curve, or none.
+    pub(super) fn take(&mut self, choice: Option<Choice>) {
+        self.choice = choice;
+        self.visible = choice.is_some();
+    }
+
+    /// After a change the curve goes out of the picture, unless it shall follow.
+    pub(super) fn after_change(&mut self) {
+        self.visible &= self.follow;
+    }
+
+    /// After a change by number there is no curve any more, unless it shall follow.
+    pub(super) fn after_edit(&mut self) {
+        if !self.follow {
+            self.take(None);
+        }
+    }
+
+    /// The key F3: lets the curve follow changes or not, and says so.
+    pub(super) fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
+        self.follow = !self.follow;
+        self.visible = self.follow && self.choice.is_some();
+        desk.tell(if self.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
+    }
+}
+
 /// The largest coefficient of the tangents.
 const LARGEST_K0: f64 = 10.0;
 

@@ -3,7 +3,9 @@
 /// Every built-in sample: name and content.
 pub const SAMPLES: &[(&str, &[u8])] = &[
     ("A.IP2", include_bytes!("../../data/A.IP2")),
+    ("A.IP3", include_bytes!("../../data/A.IP3")),
     ("B.IP2", include_bytes!("../../data/B.IP2")),
+    ("B.IP3", include_bytes!("../../data/B.IP3")),
     ("C.IP2", include_bytes!("../../data/C.IP2")),
     ("D.IP2", include_bytes!("../../data/D.IP2")),
     ("X.IP2", include_bytes!("../../data/X.IP2")),

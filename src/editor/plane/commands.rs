@@ -79,8 +79,7 @@ impl Editor {
             desk.tell(words::no_curve(&error), Stay::UntilRead);
             return Ok(());
         }
-        self.choice = Some(choice);
-        self.visible = true;
+        self.shown.take(Some(choice));
         if let (Tools::Methods, Method::Coons { k0 }) = (self.tools, method) {
             self.k0 = k0;
             self.note = Some(format!("k0 = {k0:.2}"));
@@ -104,7 +103,7 @@ impl Editor {
 
     /// Shows the curve without its surroundings until Esc.
     async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        if self.choice.is_none() || self.count() < FEWEST {
+        if self.shown.choice.is_none() || self.count() < FEWEST {
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(());
         }
@@ -114,7 +113,7 @@ impl Editor {
         self.stage = Stage::Result { points: answer == Answer::First };
         while !desk.event(self).await?.pressed(Key::Esc) {}
         // As in the original, the curve is gone from the editor's picture after this.
-        self.visible = self.follow;
+        self.shown.after_change();
         self.forget_note();
         Ok(())
     }

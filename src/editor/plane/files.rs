@@ -122,7 +122,7 @@ impl Editor {
         plane.joints = sketch.joints.clone();
         plane.settings = CurveSettings {
             method: Some(Method::Beta),
-            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
+            closed: self.shown.choice.map(|choice| choice.closure == Closure::Closed),
             bias: Some(sketch.shape.bias),
             tension: Some(sketch.shape.tension),
             ..CurveSettings::default()

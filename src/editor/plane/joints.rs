@@ -72,8 +72,8 @@ impl Editor {
     /// numbers stay as the user typed them.
     fn reshape(&mut self, desk: &mut Desk<'_>, sketch: Sketch) {
         self.history.change(sketch);
-        self.visible &= self.follow;
-        if let Some(choice) = self.choice
+        self.shown.after_change();
+        if let Some(choice) = self.shown.choice
             && let Err(error) = curves::pixels(self.tools, choice, self.history.now())
         {
             desk.tell(words::no_curve(&error), Stay::UntilRead);
@@ -84,7 +84,7 @@ impl Editor {
     pub(super) fn draw_joint_shapes(&self, screen: &mut Screen) {
         let sketch = self.preview();
         let (Tools::Beta, Some(joints)) = (self.tools, &sketch.joints) else { return };
-        let marks = self.choice.and_then(|choice| curves::pixels(self.tools, choice, &sketch).ok());
+        let marks = self.shown.choice.and_then(|choice| curves::pixels(self.tools, choice, &sketch).ok());
         for (index, (shape, &point)) in joints.iter().zip(sketch.points()).enumerate() {
             if *shape == sketch.shape {
                 continue;

@@ -19,7 +19,7 @@ pub use sketch::Sketch;
 pub use tools::Tools;
 
 use super::History;
-use super::choice::{COMMANDS, Choice, FEWEST};
+use super::choice::{COMMANDS, FEWEST, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit, Place};
 use crate::file::{Document, Format};
@@ -68,12 +68,7 @@ struct Held {
 struct Editor {
     tools: Tools,
     history: History<Sketch>,
-    /// The curve of the last "G"; `None` after a change by number, as in the original.
-    choice: Option<Choice>,
-    /// Whether the chosen curve is in the picture.
-    visible: bool,
-    /// Whether the curve stays in the picture after a change and follows it.
-    follow: bool,
+    shown: Shown,
     /// Curves that are shown besides the chosen one.
     compared: Vec<Kind>,
     /// The coefficient of the automatic tangents.
@@ -163,10 +158,10 @@ impl Configuration for Editor {
             joints: sketch.joints.clone(),
             bias: sketch.shape.bias,
             tension: sketch.shape.tension,
-            method: self.choice.map(|choice| choice.method.name()),
-            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
+            method: self.shown.choice.map(|choice| choice.method.name()),
+            closed: self.shown.choice.map(|choice| choice.closure == Closure::Closed),
             k0: self.k0,
-            visible: self.visible,
+            visible: self.shown.visible,
             compared: self.compared.clone(),
             unsaved: self.history.unsaved(),
         }
@@ -186,7 +181,7 @@ impl Configuration for Editor {
             if self.held.is_some() {
                 self.drag(desk, &tick);
             } else if common_key(self, desk, tick.key()).await? {
-                self.visible &= self.follow;
+                self.shown.after_change();
             } else if let Some(letter) = self.command(&tick) {
                 let next = self.obey(desk, letter).await?;
                 if next != Next::Work {
@@ -204,9 +199,7 @@ impl Editor {
         let mut editor = Editor {
             tools,
             history: History::new(Sketch::default()),
-            choice: None,
-            visible: false,
-            follow: false,
+            shown: Shown::default(),
             compared: Vec::new(),
             k0: 0.5,
             held: None,
@@ -233,14 +226,13 @@ impl Editor {
 
     /// The form of the curves: that of the chosen one, else open.
     fn closure(&self) -> Closure {
-        self.choice.map_or(Closure::Open, |choice| choice.closure)
+        self.shown.choice.map_or(Closure::Open, |choice| choice.closure)
     }
 
     /// Takes up a sketch that needs no saving.
     fn load(&mut self, sketch: Sketch) {
         self.history = History::new(sketch);
-        self.choice = None;
-        self.visible = false;
+        self.shown.take(None);
         self.held = None;
         self.note = None;
         self.has_json = false;
@@ -251,10 +243,7 @@ impl Editor {
     /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
     fn change(&mut self, sketch: Sketch) {
         self.history.change(sketch);
-        if !self.follow {
-            self.choice = None;
-            self.visible = false;
-        }
+        self.shown.after_edit();
         self.forget_note();
     }
 
@@ -267,7 +256,7 @@ impl Editor {
 
     async fn function_key(&mut self, desk: &mut Desk<'_>, number: u8) -> Result<(), Quit> {
         match (number, self.tools) {
-            (3, _) => self.toggle_follow(desk),
+            (3, _) => self.shown.toggle_follow(desk),
             (4, Tools::Methods) => self.compare(desk).await?,
             (5, Tools::Beta) => self.change_joint(desk).await?,
             (6, Tools::Beta) => self.make_joints_alike(desk),
@@ -315,7 +304,7 @@ impl Editor {
                 }
                 self.history.change(self.preview());
                 self.held = None;
-                self.visible &= self.follow;
+                self.shown.after_change();
                 self.forget_note();
                 self.offer_tangents = true;
             }
@@ -335,11 +324,5 @@ impl Editor {
             (Handle::Point(_), false) => now.clone(),
             (Handle::Tip(index), _) => now.with_tip(index, at),
         }
-    }
-
-    fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
-        self.follow = !self.follow;
-        self.visible = self.follow && self.choice.is_some();
-        desk.tell(if self.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
     }
 }

@@ -37,7 +37,7 @@ impl Editor {
         ground(screen);
         grid(screen);
         screen.text(607, 67, words::STORE.of(language), Color::White);
-        if self.visible || self.held.is_some() || !self.compared.is_empty() {
+        if self.shown.visible || self.held.is_some() || !self.compared.is_empty() {
             self.draw_curves(screen);
         }
         self.draw_points(screen);
@@ -85,8 +85,8 @@ impl Editor {
         for (kind, _, color) in Kind::ALL.into_iter().filter(|(kind, ..)| self.compared.contains(kind)) {
             draw(Choice { closure, method: kind.method(self.k0) }, color);
         }
-        let shown = self.visible || matches!(self.stage, Stage::Result { .. });
-        if let Some(choice) = self.choice.filter(|_| shown) {
+        let shown = self.shown.visible || matches!(self.stage, Stage::Result { .. });
+        if let Some(choice) = self.shown.choice.filter(|_| shown) {
             draw(choice, Color::White);
         }
     }

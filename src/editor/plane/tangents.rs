@@ -56,7 +56,7 @@ impl Editor {
         let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
         let Some(k0) = ask_coefficient(desk, self).await? else { return Ok(()) };
         self.k0 = k0;
-        self.visible &= self.follow;
+        self.shown.after_change();
         let Ok(sketch) = self.with_automatic_tangents(self.history.now(), closure) else {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());

@@ -25,10 +25,7 @@ impl PointEditor for Editor {
     /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
     fn edit(&mut self, edit: Edit<Point<3>>) {
         self.history.change(self.history.now().edited(edit));
-        if !self.follow {
-            self.choice = None;
-            self.visible = false;
-        }
+        self.shown.after_edit();
         self.note = None;
     }
 
@@ -73,7 +70,7 @@ impl Editor {
             }
             ('Q', _) => {
                 let next = quit(self, desk).await?;
-                self.visible &= self.follow;
+                self.shown.after_change();
                 return Ok(next);
             }
             _ => {}
@@ -85,10 +82,10 @@ impl Editor {
     /// shape that has no curve is told about, and kept as the user gave it.
     fn reshape(&mut self, desk: &mut Desk<'_>, shape: Shape) {
         self.shape = shape;
-        if let Some(choice) = &mut self.choice {
+        if let Some(choice) = &mut self.shown.choice {
             choice.method = shape.method();
         }
-        self.visible &= self.follow;
+        self.shown.after_change();
         if let Err(error) = shape.method().check() {
             desk.tell(words::no_curve(&error), Stay::UntilRead);
         }
@@ -118,13 +115,11 @@ impl Editor {
         let Some(method) = method else { return Ok(()) };
         let choice = Choice { closure, method };
         if let Some(problem) = self.problem(choice) {
-            self.choice = None;
-            self.visible = false;
+            self.shown.take(None);
             desk.tell(problem, Stay::UntilRead);
             return Ok(());
         }
-        self.choice = Some(choice);
-        self.visible = true;
+        self.shown.take(Some(choice));
         if let Method::Coons { k0 } = method {
             self.note = Some(format!("k0 = {k0:.2}"));
         }
@@ -133,7 +128,7 @@ impl Editor {
 
     /// Shows the curve without its surroundings, to be looked at from all sides, until Esc.
     async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        let Some(choice) = self.choice else {
+        let Some(choice) = self.shown.choice else {
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(());
         };
@@ -150,7 +145,7 @@ impl Editor {
                 break;
             }
         }
-        self.visible &= self.follow;
+        self.shown.after_change();
         self.note = None;
         Ok(())
     }

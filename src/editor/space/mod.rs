@@ -8,7 +8,7 @@ mod picture;
 
 use super::History;
 use super::beta::BUTTONS;
-use super::choice::{COMMANDS, Choice, METHODS};
+use super::choice::{COMMANDS, METHODS, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit};
 use super::field::PICTURE;
@@ -16,7 +16,7 @@ use crate::file::{Document, Format, SpacePoints};
 use crate::geometry::{Closure, Point, Shape};
 use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{self, Desk, KeyHelp, Manual, Stay, Words};
+use crate::ui::{self, Desk, KeyHelp, Manual, Words};
 use look::Look;
 use serde::Serialize;
 
@@ -73,12 +73,7 @@ struct Editor {
     look: Look,
     /// Where a turn by the mouse began: the look and the pixel.
     turning: Option<(Look, (i32, i32))>,
-    /// The curve of the last "G"; `None` after a change by number, as in the original.
-    choice: Option<Choice>,
-    /// Whether the chosen curve is in the picture.
-    visible: bool,
-    /// Whether the curve stays in the picture after a change and follows it.
-    follow: bool,
+    shown: Shown,
     /// The shape of the beta-spline; it outlives a configuration.
     shape: Shape,
     held: Option<Held>,
@@ -210,11 +205,11 @@ impl Configuration for Editor {
     fn model(&self) -> impl Serialize + 'static {
         Model {
             points: self.history.now().points().to_vec(),
-            method: self.choice.map(|choice| choice.method.name()),
-            closed: self.choice.map(|choice| choice.closure == Closure::Closed),
+            method: self.shown.choice.map(|choice| choice.method.name()),
+            closed: self.shown.choice.map(|choice| choice.closure == Closure::Closed),
             bias: self.shape.bias,
             tension: self.shape.tension,
-            visible: self.visible,
+            visible: self.shown.visible,
             azimuth: self.look.view.azimuth().to_degrees(),
             elevation: self.look.view.elevation().to_degrees(),
             zoom: self.look.scale(),
@@ -234,14 +229,14 @@ impl Configuration for Editor {
             } else if self.look_around(&tick) {
                 // Only the picture changes.
             } else if common_key(self, desk, tick.key()).await? {
-                self.visible &= self.follow;
+                self.shown.after_change();
             } else if let Some(letter) = self.command(&tick) {
                 let next = self.obey(desk, letter).await?;
                 if next != Next::Work {
                     return Ok(next);
                 }
             } else if tick.pressed(Key::F(3)) {
-                self.toggle_follow(desk);
+                self.shown.toggle_follow(desk);
             }
         }
     }
@@ -254,9 +249,7 @@ impl Editor {
             history: History::new(Drawing::default()),
             look: Look::default(),
             turning: None,
-            choice: None,
-            visible: false,
-            follow: false,
+            shown: Shown::default(),
             shape: Shape::default(),
             held: None,
             stage: Stage::Starting { buttons: false },
@@ -270,8 +263,7 @@ impl Editor {
         self.history = History::new(drawing);
         self.look = Look::default();
         self.turning = None;
-        self.choice = None;
-        self.visible = false;
+        self.shown.take(None);
         self.held = None;
         self.pointed_out = None;
         self.note = None;
@@ -310,7 +302,7 @@ impl Editor {
             Some(Event::Release(Button::Left)) => {
                 self.history.change(self.preview());
                 self.held = None;
-                self.visible &= self.follow;
+                self.shown.after_change();
             }
             Some(Event::Key(Key::Esc)) => self.held = None,
             _ => {}
@@ -352,11 +344,5 @@ impl Editor {
             }
             _ => false,
         }
-    }
-
-    fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
-        self.follow = !self.follow;
-        self.visible = self.follow && self.choice.is_some();
-        desk.tell(if self.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
     }
 }

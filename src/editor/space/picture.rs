@@ -59,7 +59,7 @@ impl Editor {
     fn draw_desk(&self, screen: &mut Screen, stage: Stage, language: Language) {
         ground(screen);
         self.draw_axes(screen);
-        if self.visible || self.held.is_some() {
+        if self.shown.visible || self.held.is_some() {
             self.draw_curve(screen);
         }
         self.draw_points(screen);
@@ -94,7 +94,7 @@ impl Editor {
     /// The chosen curve through the points as they would be if a dragged one were dropped now; one that
     /// does not exist is not drawn.
     fn draw_curve(&self, screen: &mut Screen) {
-        let Some(choice) = self.choice else { return };
+        let Some(choice) = self.shown.choice else { return };
         let drawing = self.preview();
         let Ok(line) = choice.polyline(drawing.points()) else { return };
         let mut pixels: Vec<_> = line.into_iter().map(|point| self.look.to_screen(point)).collect();
