@@ -217,7 +217,9 @@ pub(crate) const POINT: Hot = hot('P', "ont", "-oint");
 pub(crate) const TANGENT: Hot = hot('E', "rintő", "-tang.");
 pub(crate) const LENGTH: Hot = hot('H', "ossz", "-size");
 pub(crate) const ANGLE: Hot = hot('S', "zög", "-angle");
-pub(crate) const COONS_TITLE: Words = Words("COONS INTERPOLÁCIÓ", "COONS INTERPOLATION");
+// The ROM's capitals with accents are hard to read; the original sets commas over plain ones.
+pub(crate) const COONS_TITLE: Words = Words("COONS INTERPOLACIO", "COONS INTERPOLATION");
+pub(crate) const COONS_ACCENTS: Words = Words(",  ,", "");
 pub(crate) const ASK_AUTOMATIC: Words = Words(" Önműködő érintőszámítás ?", "    Automatic tangents ?");
 pub(crate) const TANGENT_LENGTH: Words = Words("Érintő hossza", "Tangent length");
 pub(crate) const TANGENT_ANGLE: Words = Words("Érintő iránya", "Tangent angle");

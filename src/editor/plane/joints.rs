@@ -93,7 +93,9 @@ impl Editor {
             // Without a curve there are no joints to see yet: the values stand at the control point.
             let (x, y) = mark.unwrap_or_else(|| to_screen(point));
             let text = format!("{};{}", shape.bias, shape.tension);
-            screen.text(x + 9, y - 13, &text, Color::Yellow);
+            let width = 8 * i32::try_from(text.len()).unwrap_or(0);
+            screen.bar(x + 8, y - 15, x + 8 + width, y - 5, Color::Black);
+            screen.text(x + 9, y - 14, &text, Color::Yellow);
         }
     }
 }

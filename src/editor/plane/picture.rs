@@ -65,6 +65,7 @@ impl Editor {
             }
             Tools::Tangents => {
                 screen.text(20, 20, words::COONS_TITLE.of(language), Color::Black);
+                screen.text(134, 10, words::COONS_ACCENTS.of(language), Color::Black);
                 screen.text(65, 43, note, Color::Black);
             }
             Tools::Beta => beta::draw_values(screen, self.history.now().shape, language),
