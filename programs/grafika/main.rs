@@ -2,6 +2,8 @@
 
 #[path = "../gb_2d_ip.rs"]
 mod gb_2d_ip;
+#[path = "../gb_p_2d.rs"]
+mod gb_p_2d;
 
 mod convert;
 mod curve;
@@ -17,7 +19,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Every program, in the order of the book.
-const PROGRAMS: &[Program] = &[gb_2d_ip::PROGRAM];
+const PROGRAMS: &[Program] = &[gb_p_2d::PROGRAM, gb_2d_ip::PROGRAM];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]

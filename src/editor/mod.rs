@@ -6,6 +6,7 @@
 
 mod choice;
 pub mod configuration;
+pub mod fourier;
 mod history;
 pub mod plane;
 
