@@ -2,9 +2,11 @@
 //!
 //! The disk of the book had `A.IP2` to `D.IP2` and `X.IP2` to `Z.IP2`; what exactly was in them is lost. These
 //! show what the book shows with such files: closed frames, multiple points (2.3.4 to 2.3.6), and a
-//! measured curve with noise and with an error (2.3.8). The same bytes come out every time.
+//! measured curve with noise and with an error (2.3.8). `A.GBP` is a Fourier curve (2.2) near `A.IP2`. The same bytes come out every time.
 
+use grafika::editor::fourier::coefficients;
 use grafika::file::{Document, FileError, Format, PlanePoints};
+use grafika::geometry::{ClosedPath, Fourier, GeometryError};
 
 type Point = [f64; 2];
 
@@ -21,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// Every sample file: its name and its bytes.
-pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
+pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn std::error::Error>> {
     let all = [
         ("A.IP2", letter_a()),
         ("B.IP2", letter_b()),
@@ -31,7 +33,22 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ("Y.IP2", noisy()),
         ("Z.IP2", with_an_error()),
     ];
-    all.into_iter().map(|(name, points)| Ok((name, bytes(points)?))).collect()
+    let mut samples = vec![("A.GBP", Document::Fourier(Box::new(fourier_a()?)).write(Format::Gbp)?)];
+    for (name, points) in all {
+        samples.push((name, bytes(points)?));
+    }
+    Ok(samples)
+}
+
+/// The Fourier curve of 20 harmonics nearest to the polygon of the letter A, in the middle of its field.
+/// Rounded to thousandths, so that the last bits of a sine do not matter.
+fn fourier_a() -> Result<grafika::file::Fourier, GeometryError> {
+    let points: Vec<Point> = letter_a().into_iter().map(|[x, y]| [x - 280.0, y - 190.0]).collect();
+    let mut fourier = coefficients(&Fourier::fit(&ClosedPath::polygon(&points)?, 20)?);
+    for row in [&mut fourier.a, &mut fourier.p, &mut fourier.b, &mut fourier.q] {
+        *row = row.map(|value| (value * 1000.0).round() / 1000.0);
+    }
+    Ok(fourier)
 }
 
 fn bytes(points: Vec<Point>) -> Result<Vec<u8>, FileError> {

@@ -2,6 +2,7 @@
 
 /// Every built-in sample: name and content.
 pub const SAMPLES: &[(&str, &[u8])] = &[
+    ("A.GBP", include_bytes!("../../data/A.GBP")),
     ("A.IP2", include_bytes!("../../data/A.IP2")),
     ("B.IP2", include_bytes!("../../data/B.IP2")),
     ("C.IP2", include_bytes!("../../data/C.IP2")),

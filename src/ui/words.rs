@@ -199,7 +199,7 @@ pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
 }
 
 // The Fourier editor.
-pub(crate) const COEFFICIENT_NAME: Words = Words("Együttható:", "Coefficient");
+pub(crate) const COEFFICIENT_NAME: Words = Words("Együttható:", "Coeff.:");
 pub(crate) const LETTER: Words = Words("név", "name");
 pub(crate) const DIGITS: Words = Words("szám", "no.");
 pub(crate) const HARMONICS_ENTRY: Words = Words("harmonikusok:", "harmonics:");

@@ -4,6 +4,7 @@
 
 pub mod pictures;
 pub mod random;
+pub mod reference;
 
 use grafika::figure::screen_png;
 use grafika::launch::Program;

@@ -172,15 +172,14 @@ impl Coefficient {
         let quantity = self.column.quantity();
         let old = self.of(fourier);
         // Without the dust of adding hundredths.
-        let new = ((old + quantity.step() * f64::from(steps)) * 1e10).round() / 1e10;
+        let clean = |value: f64| (value * 1e10).round() / 1e10;
+        let new = old + quantity.step() * f64::from(steps);
         let new = match quantity {
             Quantity::Amplitude => {
-                new.clamp(old.min(*quantity.range().start()), old.max(*quantity.range().end()))
+                let range = quantity.range();
+                clean(new).clamp(old.min(*range.start()), old.max(*range.end()))
             }
-            Quantity::Phase => {
-                let phase = new.rem_euclid(2.0);
-                if phase < 2.0 { phase } else { 0.0 }
-            }
+            Quantity::Phase => Some(clean(new.rem_euclid(2.0))).filter(|&phase| phase < 2.0).unwrap_or(0.0),
         };
         self.changed(fourier, new)
     }
@@ -198,7 +197,7 @@ impl Coefficient {
 
 /// A number with so many decimals; halves are rounded away from zero, and there is no minus zero.
 fn fixed(value: f64, decimals: usize) -> String {
-    let scale = if decimals == 0 { 1.0 } else { 100f64.powf(0.5 * decimals as f64).round() };
+    let scale = 10f64.powi(decimals as i32);
     let rounded = (value * scale).round() / scale + 0.0;
     format!("{rounded:.decimals$}")
 }
@@ -215,7 +214,8 @@ pub fn curve(fourier: &Fourier) -> Result<geometry::Fourier<2>, GeometryError> {
 
 /// The coefficients of a curve, without harmonics that no file has room for. Amplitudes that are
 /// nothing but rounding become 0, with phase 0.
-pub(super) fn coefficients(curve: &geometry::Fourier<2>) -> Fourier {
+#[must_use]
+pub fn coefficients(curve: &geometry::Fourier<2>) -> Fourier {
     /// Pixels.
     const NOTHING: f64 = 1e-9;
     let [x, y] = curve.offset();

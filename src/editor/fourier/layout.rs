@@ -2,7 +2,7 @@
 
 use super::coefficient::{Coefficient, Column, Quantity};
 use crate::geometry::Point;
-use crate::screen::{Color, Screen};
+use crate::screen::{Color, Put, Screen};
 use crate::ui::{Area, raised, sunken, window};
 
 /// Where the curve's origin lies on the screen.
@@ -49,18 +49,18 @@ pub(super) fn surroundings(screen: &mut Screen) {
     }
 }
 
-/// The raised panel of a column with its name.
-pub(super) fn panel(screen: &mut Screen, column: Column) {
+/// The raised panel of a column with its name and empty windows. They all look the same, and there are
+/// many: the first is copied.
+pub(super) fn column(screen: &mut Screen, column: Column) {
     let (x1, x2) = edges(column);
     raised(screen, Area::new(x1, EDGES.0, x2, EDGES.1), 2);
     screen.text(x1 + 20, EDGES.0 + 2, column.name(), Color::Black);
-}
-
-/// A window with the value of a coefficient.
-pub(super) fn value(screen: &mut Screen, place: Coefficient, text: &str, color: Color) {
-    window(screen, area(place));
-    let (x, y) = text_at(place);
-    screen.text(x, y, text, color);
+    let mut areas = column.numbers().map(|k| area(Coefficient { column, k }));
+    let Some(first) = areas.next() else { return };
+    window(screen, first);
+    // The window's frame is a pixel higher than its area.
+    let copy = screen.take(first.x1, first.y1, first.x2, first.y2 + 1);
+    areas.for_each(|area| screen.put(area.x1, area.y1, &copy, Put::Copy));
 }
 
 /// The window of a coefficient.

@@ -8,7 +8,7 @@ mod fitting;
 mod layout;
 mod picture;
 
-pub use coefficient::curve;
+pub use coefficient::{coefficients, curve};
 
 use super::History;
 use super::configuration::{self, Configuration, Next, common_key, event, quit};

@@ -51,11 +51,11 @@ impl Editor {
     }
 
     fn draw_columns(&self, screen: &mut Screen, fourier: &Fourier) {
-        Column::ALL.iter().for_each(|&(column, _)| layout::panel(screen, column));
+        Column::ALL.iter().for_each(|&(column, _)| layout::column(screen, column));
         for place in Coefficient::all() {
             let color = if self.marked == Some(place) { Color::Yellow } else { Color::White };
-            let text = place.column.quantity().shown(place.of(fourier));
-            layout::value(screen, place, &text, color);
+            let (x, y) = layout::text_at(place);
+            screen.text(x, y, &place.column.quantity().shown(place.of(fourier)), color);
         }
         if let Some(entry) = &self.typing {
             entry.draw(screen);
