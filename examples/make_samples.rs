@@ -6,7 +6,7 @@
 
 use grafika::editor::fourier::coefficients;
 use grafika::file::{Document, FileError, Format, PlanePoints};
-use grafika::geometry::{ClosedPath, Fourier, GeometryError};
+use grafika::geometry::{ClosedPath, Fourier};
 
 type Point = [f64; 2];
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// Every sample file: its name and its bytes.
-pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn std::error::Error>> {
+pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let all = [
         ("A.IP2", letter_a()),
         ("B.IP2", letter_b()),
@@ -33,7 +33,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn std::err
         ("Y.IP2", noisy()),
         ("Z.IP2", with_an_error()),
     ];
-    let mut samples = vec![("A.GBP", Document::Fourier(Box::new(fourier_a()?)).write(Format::Gbp)?)];
+    let mut samples = vec![("A.GBP", fourier_a()?)];
     for (name, points) in all {
         samples.push((name, bytes(points)?));
     }
@@ -42,13 +42,14 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn std::err
 
 /// The Fourier curve of 20 harmonics nearest to the polygon of the letter A, in the middle of its field.
 /// Rounded to thousandths, so that the last bits of a sine do not matter.
-fn fourier_a() -> Result<grafika::file::Fourier, GeometryError> {
+fn fourier_a() -> Result<Vec<u8>, FileError> {
     let points: Vec<Point> = letter_a().into_iter().map(|[x, y]| [x - 280.0, y - 190.0]).collect();
-    let mut fourier = coefficients(&Fourier::fit(&ClosedPath::polygon(&points)?, 20)?);
+    let curve = ClosedPath::polygon(&points).and_then(|polygon| Fourier::fit(&polygon, 20));
+    let mut fourier = coefficients(&curve.map_err(|error| FileError::Invalid(error.to_string()))?);
     for row in [&mut fourier.a, &mut fourier.p, &mut fourier.b, &mut fourier.q] {
         *row = row.map(|value| (value * 1000.0).round() / 1000.0);
     }
-    Ok(fourier)
+    Document::Fourier(Box::new(fourier)).write(Format::Gbp)
 }
 
 fn bytes(points: Vec<Point>) -> Result<Vec<u8>, FileError> {

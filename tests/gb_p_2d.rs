@@ -264,6 +264,36 @@ fn the_sample_is_a_letter_a() {
 }
 
 #[test]
+fn the_command_line_samples_coefficients() {
+    let grafika = |arguments: &[&str]| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_grafika")).args(arguments).output();
+        let output = output.unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let file = common::path("reference/curves/FIGA.GBP");
+    let file = file.to_str().unwrap();
+    let (status, text) = grafika(&["sample", file, "--method", "fourier", "--per-span", "4"]);
+    assert_eq!(status, Some(0));
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|row| row.split(',').map(|n| n.parse().unwrap()).collect()).collect();
+    let expected = [
+        [0.0, 0.0, 150.0],
+        [0.25, 100.0, -50.0],
+        [0.5, 0.0, -50.0],
+        [0.75, -100.0, -50.0],
+        [1.0, 0.0, 150.0],
+    ];
+    for (row, [u, x, y]) in rows.iter().zip(expected) {
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        assert!(row[0] == 0.0 && row[1] == u && close(row[2], x) && close(row[3], y), "{row:?}");
+    }
+    assert_eq!(rows.len(), 5);
+    assert_eq!(grafika(&["sample", "A.GBP"]).1.lines().count(), 52);
+    assert_eq!(grafika(&["sample", "A.GBP", "--method", "spline"]).0, Some(2));
+    assert_eq!(grafika(&["sample", "A.IP2", "--method", "fourier"]).0, Some(2));
+}
+
+#[test]
 fn a_recorded_session_replays_to_the_same_picture() {
     let script = common::random::script(7, 3000);
     common::random::assert_replays(PROGRAM, &script);

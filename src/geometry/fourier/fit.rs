@@ -5,7 +5,7 @@
 
 use super::{Fourier, Harmonic, MAX_HARMONICS, turn};
 use crate::geometry::arclen::GAUSS;
-use crate::geometry::point::{check_count, check_points, lerp, norm, scaled_difference};
+use crate::geometry::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference};
 use crate::geometry::{Closure, CubicBezier, Curve, GeometryError, Method, Point};
 use std::f64::consts::TAU;
 
@@ -134,12 +134,10 @@ impl<const D: usize> Fourier<D> {
             let [sin, cos] = turn(u);
             let (mut sin_k, mut cos_k) = (sin, cos);
             let share = point.map(|x| weight * x);
-            (0..D).for_each(|d| offset[d] += share[d]);
+            offset = add_scaled(offset, 1.0, share);
             for sum in &mut sums {
-                for d in 0..D {
-                    sum.sin[d] += 2.0 * share[d] * sin_k;
-                    sum.cos[d] += 2.0 * share[d] * cos_k;
-                }
+                sum.sin = add_scaled(sum.sin, 2.0 * sin_k, share);
+                sum.cos = add_scaled(sum.cos, 2.0 * cos_k, share);
                 (sin_k, cos_k) = (sin_k * cos + cos_k * sin, cos_k * cos - sin_k * sin);
             }
         }
