@@ -1,11 +1,14 @@
 //! Makes the sample files in `data/`: `cargo run --example make_samples [FOLDER]`.
 //!
-//! The disk of the book had `A.IP2` to `D.IP2`, `X.IP2` to `Z.IP2` and, in space, `A.IP3` and `B.IP3`; what exactly
-//! was in them is lost. These show what the book shows with such files: closed frames, multiple points
-//! (2.3.4 to 2.3.6), a measured curve with noise and with an error (2.3.8), and the "characteristic frames" of
-//! chapter 5's list as the corners of two solids. The same bytes come out every time.
+//! The disk of the book had `A.IP2` to `D.IP2`, `X.IP2` to `Z.IP2`, `A.IC2` with `A.EC2`, `A.GBP` and, in space,
+//! `A.IP3` and `B.IP3`; what exactly was in them is lost. These show what the book shows with such files: closed
+//! frames, multiple points (2.3.4 to 2.3.6), tangents (2.3.3), a measured curve with noise and with an error
+//! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
+//! Fourier curve (2.2) near `A.IP2`. The same bytes come out every time.
 
+use grafika::editor::fourier::coefficients;
 use grafika::file::{Document, FileError, Format, PlanePoints, SpacePoints};
+use grafika::geometry::{ClosedPath, Fourier};
 
 type Point = [f64; 2];
 
@@ -37,7 +40,43 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let space = space.into_iter().map(|(name, points)| {
         Ok((name, Document::SpacePoints(SpacePoints::new(points)).write(Format::Ip3)?))
     });
-    plane.chain(space).collect()
+    let single = [
+        ("A.GBP", fourier_a()),
+        ("A.IC2", Document::PlanePoints(clef()).write(Format::Ic2)),
+        ("A.EC2", Document::PlanePoints(clef()).write(Format::Ec2)),
+    ];
+    let single = single.into_iter().map(|(name, bytes)| Ok((name, bytes?)));
+    plane.chain(space).chain(single).collect()
+}
+
+/// A treble clef in one open stroke: few points, and tangents that say the rest.
+fn clef() -> PlanePoints {
+    let stroke = [
+        ([285.0, 150.0], [0.0, 60.0]),
+        ([330.0, 175.0], [70.0, -40.0]),
+        ([285.0, 95.0], [-200.0, 0.0]),
+        ([200.0, 175.0], [0.0, 190.0]),
+        ([300.0, 285.0], [120.0, 110.0]),
+        ([318.0, 370.0], [-60.0, 20.0]),
+        ([265.0, 270.0], [0.0, -220.0]),
+        ([300.0, 40.0], [-10.0, -110.0]),
+        ([235.0, 25.0], [-30.0, 80.0]),
+    ];
+    let tangents = stroke.iter().map(|&(_, tangent)| tangent).collect();
+    let points = stroke.iter().map(|&(point, _)| point).collect();
+    PlanePoints { tangents: Some(tangents), ..PlanePoints::new(points) }
+}
+
+/// The Fourier curve of 20 harmonics nearest to the polygon of the letter A, in the middle of its field.
+/// Rounded to thousandths, so that the last bits of a sine do not matter.
+fn fourier_a() -> Result<Vec<u8>, FileError> {
+    let points: Vec<Point> = letter_a().into_iter().map(|[x, y]| [x - 280.0, y - 190.0]).collect();
+    let curve = ClosedPath::polygon(&points).and_then(|polygon| Fourier::fit(&polygon, 20));
+    let mut fourier = coefficients(&curve.map_err(|error| FileError::Invalid(error.to_string()))?);
+    for row in [&mut fourier.a, &mut fourier.p, &mut fourier.b, &mut fourier.q] {
+        *row = row.map(|value| (value * 1000.0).round() / 1000.0);
+    }
+    Document::Fourier(Box::new(fourier)).write(Format::Gbp)
 }
 
 fn bytes(points: Vec<Point>) -> Result<Vec<u8>, FileError> {

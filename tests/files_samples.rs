@@ -4,18 +4,21 @@
 #[path = "../examples/make_samples.rs"]
 mod make_samples;
 
-use grafika::file::{Document, Format};
+use grafika::file::{Document, FileKind};
 use std::path::Path;
 
 #[test]
 fn the_samples_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
     let samples = make_samples::samples().unwrap();
-    assert_eq!(samples.len(), 9);
+    assert_eq!(samples.len(), 12);
     for (name, bytes) in samples {
         let found = std::fs::read(folder.join(name)).unwrap();
         assert!(found == bytes, "{name}: run `cargo run --example make_samples`");
-        let format = if name.ends_with(".IP3") { Format::Ip3 } else { Format::Ip2 };
+        let format = match FileKind::from_name(name) {
+            Some(FileKind::Dos(format)) => format,
+            other => panic!("{name}: {other:?}"),
+        };
         let document = Document::read(format, &bytes).unwrap();
         assert_eq!(document.write(format), Ok(bytes));
     }

@@ -2,9 +2,10 @@
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use grafika::editor::fourier;
 use grafika::file::{CurveSettings, Document, Method as MethodName};
-use grafika::geometry::{Closure, Curve, GeometryError, Method, Point};
-use grafika::launch::{Failure, open};
+use grafika::geometry::{Closure, Curve, Fourier, GeometryError, Method, Point};
+use grafika::launch::{Failure, Opened, open};
 use std::path::PathBuf;
 
 /// A file with a method and its parameters.
@@ -37,10 +38,40 @@ pub(crate) enum Curved {
     Space(Vec<Point<3>>, Curve<3>),
 }
 
+/// What points can be computed of.
+pub(crate) enum Sampled {
+    /// A curve by control points.
+    Controlled(Curved),
+    /// A curve by Fourier coefficients, in one span.
+    Fourier(Fourier<2>),
+}
+
 impl CurveArgs {
-    /// Opens the file and makes the curve.
-    pub(crate) fn curve(&self) -> Result<Curved, Failure> {
+    /// Opens the file and makes the curve that it describes, by control points or by coefficients.
+    pub(crate) fn sampled(&self) -> Result<Sampled, Failure> {
         let opened = open(&self.file)?;
+        let Document::Fourier(coefficients) = &opened.document else {
+            return self.controlled(&opened).map(Sampled::Controlled);
+        };
+        let named = self.method.as_deref().and_then(MethodName::from_name);
+        if named.is_some_and(|method| method != MethodName::Fourier) {
+            return Err(Failure::usage(format!(
+                "{}: coefficients of a Fourier curve have no other method than fourier",
+                opened.name
+            )));
+        }
+        let curve = fourier::curve(coefficients);
+        curve.map(Sampled::Fourier).map_err(|error| Failure::work(format!("{}: {error}", opened.name)))
+    }
+
+    /// Opens the file and makes the curve by its control points.
+    #[allow(dead_code, reason = "for commands that need control points")]
+    pub(crate) fn curve(&self) -> Result<Curved, Failure> {
+        self.controlled(&open(&self.file)?)
+    }
+
+    /// The curve by the control points of a file.
+    fn controlled(&self, opened: &Opened) -> Result<Curved, Failure> {
         let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
         match opened.document {
             Document::PlanePoints(ref plane) => {

@@ -10,6 +10,8 @@ mod gb_2d_ip;
 mod gb_3d_bt;
 #[path = "../gb_3d_ip.rs"]
 mod gb_3d_ip;
+#[path = "../gb_p_2d.rs"]
+mod gb_p_2d;
 
 mod convert;
 mod curve;
@@ -26,8 +28,14 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Every program, in the order of the book.
-const PROGRAMS: &[Program] =
-    &[gb_2d_ch::PROGRAM, gb_2d_ip::PROGRAM, gb_2d_bt::PROGRAM, gb_3d_ip::PROGRAM, gb_3d_bt::PROGRAM];
+const PROGRAMS: &[Program] = &[
+    gb_p_2d::PROGRAM,
+    gb_2d_ch::PROGRAM,
+    gb_2d_ip::PROGRAM,
+    gb_2d_bt::PROGRAM,
+    gb_3d_ip::PROGRAM,
+    gb_3d_bt::PROGRAM,
+];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]

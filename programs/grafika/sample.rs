@@ -1,9 +1,9 @@
 //! `grafika sample`: points of a curve as CSV or JSON.
 
-use crate::curve::{CurveArgs, Curved};
+use crate::curve::{CurveArgs, Curved, Sampled};
 use clap::Args;
 use grafika::figure::{curve_csv, curve_json};
-use grafika::geometry::Curve;
+use grafika::geometry::{GeometryError, Sample as Place};
 use grafika::launch::{Failure, write_output};
 use std::path::PathBuf;
 
@@ -23,15 +23,17 @@ pub(crate) struct Sample {
 impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let text = match self.curve.curve()? {
-            Curved::Plane(_, curve) => self.text(&curve),
-            Curved::Space(_, curve) => self.text(&curve),
+        let steps = self.per_span as usize;
+        let text = match self.curve.sampled()? {
+            Sampled::Controlled(Curved::Plane(_, curve)) => self.text(curve.sample(steps)),
+            Sampled::Controlled(Curved::Space(_, curve)) => self.text(curve.sample(steps)),
+            Sampled::Fourier(curve) => self.text(curve.sample(steps)),
         }?;
         write_output(self.output.as_deref(), text.as_bytes())
     }
 
-    fn text<const D: usize>(&self, curve: &Curve<D>) -> Result<String, Failure> {
-        let samples = curve.sample(self.per_span as usize).map_err(Failure::work)?;
+    fn text<const D: usize>(&self, samples: Result<Vec<Place<D>>, GeometryError>) -> Result<String, Failure> {
+        let samples = samples.map_err(Failure::work)?;
         let rows = samples.iter().map(|sample| (sample.span, sample.u, sample.point));
         match extension(self.output.as_deref()).as_deref() {
             None | Some("csv") => Ok(curve_csv(rows)),

@@ -9,6 +9,7 @@ mod choice;
 pub mod configuration;
 pub mod drawing;
 mod field;
+pub mod fourier;
 mod history;
 pub mod plane;
 mod points;

@@ -1,7 +1,7 @@
 //! Arc length by adaptive Gauss-Legendre quadrature of the speed.
 
 /// Positive nodes and their weights of the 16-point Gauss-Legendre rule on [-1, 1].
-const GAUSS: [(f64, f64); 8] = [
+pub(super) const GAUSS: [(f64, f64); 8] = [
     (0.09501250983763744, 0.1894506104550685),
     (0.2816035507792589, 0.18260341504492358),
     (0.45801677765722737, 0.16915651939500254),

@@ -78,6 +78,24 @@ pub enum GeometryError {
         /// The method's name.
         method: &'static str,
     },
+    /// A coefficient of a Fourier curve is not finite or too large.
+    Coefficient {
+        /// Which one: `offset`, `amplitude` or `phase`.
+        name: &'static str,
+        /// Of which harmonic; 0 is the constant part.
+        harmonic: usize,
+        /// What was given.
+        value: f64,
+    },
+    /// More harmonics than [`MAX_HARMONICS`](super::MAX_HARMONICS).
+    TooManyHarmonics {
+        /// How many were given.
+        given: usize,
+        /// How many are allowed at most.
+        most: usize,
+    },
+    /// All points of a closed path are the same, so that it has no length to run through.
+    NoLength,
     /// More samples than [`MAX_SAMPLES`](super::MAX_SAMPLES), or none.
     Samples {
         /// Steps asked for per span.
@@ -124,6 +142,15 @@ impl fmt::Display for GeometryError {
             Self::EndsNotOffered { method } => {
                 write!(f, "method {method} has only its own open ends and the closed curve")
             }
+            Self::Coefficient { name, harmonic, value } => write!(
+                f,
+                "{name} of harmonic {harmonic} is {value}, but must be a number of at most {:e}",
+                super::COORDINATE_LIMIT
+            ),
+            Self::TooManyHarmonics { given, most } => {
+                write!(f, "too many harmonics: {given} given, at most {most} allowed")
+            }
+            Self::NoLength => f.write_str("all points are the same; a closed path needs two different ones"),
             Self::Samples { per_span, most } => {
                 write!(f, "{per_span} steps per span asked for, but 1 to {most} can be given")
             }

@@ -108,7 +108,7 @@ pub enum Number {
 
 impl Number {
     /// The number that was typed, moved into the range; `None` if it is no number.
-    fn read(&self, text: &str) -> Option<f64> {
+    pub fn read(&self, text: &str) -> Option<f64> {
         match self {
             // Through a wide type: what is too large for the range is still a number.
             Number::Whole(range) => text

@@ -292,3 +292,34 @@ pub(crate) fn place_of(number: usize, place: [f64; 3]) -> Phrase {
     };
     Phrase::new(line("Sorszám", "Hely"), line("Number", "Place"))
 }
+
+// The Fourier editor.
+pub(crate) const COEFFICIENT_NAME: Words = Words("Együttható:", "Coeff.:");
+pub(crate) const LETTER: Words = Words("név", "name");
+pub(crate) const DIGITS: Words = Words("szám", "no.");
+pub(crate) const HARMONICS_ENTRY: Words = Words("harmonikusok:", "harmonics:");
+pub(crate) const ASK_FIT_SHAPE: Words = Words("Mit közelítsen ?", "Fit to what ?");
+pub(crate) const POLYGON: Hot = hot('P', "oligon", "olygon");
+pub(crate) const SPLINE_SHAPE: Hot = hot('S', "pline", "pline");
+pub(crate) const OF_POLYGON: Words = Words("poligon", "polygon");
+pub(crate) const OF_SPLINE: Words = Words("spline", "spline");
+pub(crate) const NO_COEFFICIENTS: Words = Words(
+    "Ebben a fileban nem egy Fourier-görbe együtthatói vannak",
+    "This file holds no coefficients of a Fourier curve",
+);
+pub(crate) const HELP_WINDOW: Words = Words("ablakra kattintás: új érték", "click a window: a new value");
+pub(crate) const HELP_COEFFICIENT: Words =
+    Words("együttható neve és száma, új érték", "name and number of a coefficient, a new value");
+pub(crate) const HELP_STEP: Words =
+    Words("az érték változtatása: a, b 1, p, q 0.01", "change the value: a, b by 1, p, q by 0.01");
+pub(crate) const HELP_TEN_STEPS: Words = Words("ennek tízszerese", "ten times as much");
+pub(crate) const HELP_OTHER_WINDOW: Words = Words("másik együttható", "another coefficient");
+pub(crate) const HELP_TYPE: Words = Words("új érték beírása", "type a new value");
+pub(crate) const HELP_FIT: Words =
+    Words("közelítés egy .IP2 file pontjaihoz", "fit the curve to the points of an .IP2 file");
+
+/// There is no coefficient of a number in this column.
+pub(crate) fn no_such_coefficient(numbers: &std::ops::RangeInclusive<usize>) -> Phrase {
+    let (first, last) = (numbers.start(), numbers.end());
+    Phrase::new(format!("Nincs ilyen: {first}...{last}"), format!("No such number: {first}...{last}"))
+}

@@ -1,0 +1,351 @@
+//! The editor of plane curves by Fourier coefficients: four columns of windows beside the curve
+//! x(t) = a0 + Σ a_k sin(kt + π p_k), y likewise with b and q (chapter 2.2, equation 2.8). Every change
+//! of a coefficient is seen at once; the coefficients can be fitted to the control points of a stored
+//! plane curve.
+
+mod coefficient;
+mod fitting;
+mod layout;
+mod picture;
+
+pub use coefficient::{coefficients, curve};
+
+use super::History;
+use super::configuration::{self, Configuration, Next, common_key, event, quit};
+use crate::file::{Document, Format, Fourier};
+use crate::machine::{Event, Key, Machine, Quit, Tick};
+use crate::screen::{Color, Screen};
+use crate::ui::words::{self, Phrase};
+use crate::ui::{
+    Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Picture, Stay, TOP, Typed, Words, page, window,
+};
+use coefficient::{Coefficient, Column};
+use fitting::Target;
+use picture::COMMANDS;
+use serde::Serialize;
+
+/// What the screen shows.
+#[derive(Clone, Debug, PartialEq)]
+enum Stage {
+    /// Before there is a configuration: the one before, if there was one.
+    Starting(Option<Box<Fourier>>),
+    /// Editing.
+    Working,
+}
+
+/// The editor's whole state.
+struct Editor {
+    history: History<Fourier>,
+    stage: Stage,
+    /// The coefficient that the keys change: the last one that had to do with anything.
+    chosen: Coefficient,
+    /// The chosen coefficient while it is shown with all its digits.
+    marked: Option<Coefficient>,
+    /// The number that is being typed for the chosen coefficient.
+    typing: Option<Entry>,
+    /// The coefficient whose steps are the last change, which further ones belong to.
+    stepping: Option<Coefficient>,
+    target: Option<Target>,
+}
+
+/// The model as `dump` writes it.
+#[derive(Serialize)]
+struct Model {
+    #[serde(flatten)]
+    coefficients: Fourier,
+    target: Option<String>,
+    rms: Option<f64>,
+    largest: Option<f64>,
+    unsaved: bool,
+}
+
+/// The keys of the editor for its help page; a program adds none.
+pub const KEYS: &[KeyHelp] = &[
+    (Words("egér", "mouse"), words::HELP_WINDOW),
+    (Words("V", "V"), words::HELP_COEFFICIENT),
+    (Words("görgő Fel Le", "wheel Up Down"), words::HELP_STEP),
+    (Words("PgUp PgDn", "PgUp PgDn"), words::HELP_TEN_STEPS),
+    (Words("Bal Jobb Tab", "Left Right Tab"), words::HELP_OTHER_WINDOW),
+    (Words("Enter", "Enter"), words::HELP_TYPE),
+    (Words("F5", "F5"), words::HELP_FIT),
+    (Words("Q", "Q"), words::HELP_QUIT),
+    (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE),
+];
+
+/// Runs the editor as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed and nothing is left to save.
+pub async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Result<(), Quit> {
+    configuration::run(Editor::new(), &mut Desk::new(machine, manual), document).await
+}
+
+/// Whether the editor can work with a document; else why not.
+///
+/// # Errors
+/// The reason, in both languages.
+pub fn check(document: &Document) -> Result<(), Phrase> {
+    coefficients_of(document).map(|_| ())
+}
+
+fn coefficients_of(document: &Document) -> Result<Fourier, Phrase> {
+    let Document::Fourier(fourier) = document else {
+        return Err(words::NO_COEFFICIENTS.into());
+    };
+    curve(fourier).map_err(|error| words::plain(&error))?;
+    Ok(Fourier::clone(fourier))
+}
+
+/// The coefficients of a new configuration: a circle.
+fn circle() -> Fourier {
+    let mut fourier = Fourier::default();
+    (fourier.a[1], fourier.b[1], fourier.q[1]) = (100.0, 100.0, 0.5);
+    fourier
+}
+
+impl Configuration for Editor {
+    type Value = Fourier;
+
+    fn format(&self) -> Format {
+        Format::Gbp
+    }
+
+    fn history(&mut self) -> &mut History<Fourier> {
+        &mut self.history
+    }
+
+    fn reset(&mut self) {
+        let before = (self.stage == Stage::Working).then(|| Box::new(self.history.now().clone()));
+        self.load(circle());
+        self.stage = Stage::Starting(before);
+    }
+
+    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
+        self.load(coefficients_of(document)?);
+        Ok(())
+    }
+
+    fn document(&self) -> Document {
+        Document::Fourier(Box::new(self.history.now().clone()))
+    }
+
+    fn model(&self) -> impl Serialize + 'static {
+        let error = self.target.as_ref().and_then(|target| target.deviation(self.history.now()));
+        Model {
+            coefficients: self.history.now().clone(),
+            target: self.target.as_ref().map(|target| target.name.of(Default::default()).to_string()),
+            rms: error.map(|error| error.rms),
+            largest: error.map(|error| error.largest),
+            unsaved: self.history.unsaved(),
+        }
+    }
+
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+        self.typing = None;
+        loop {
+            self.stage = Stage::Working;
+            let tick = event(self, desk).await?;
+            if self.type_on(&tick) || self.wheel(&tick) {
+                continue;
+            }
+            if common_key(self, desk, tick.key()).await? {
+                self.marked = None;
+                self.stepping = None;
+                continue;
+            }
+            match self.command(&tick) {
+                Some('V') => {
+                    if let Some(place) = self.ask_coefficient(desk).await? {
+                        self.begin(place);
+                    }
+                }
+                Some('Q') => {
+                    self.marked = None;
+                    let next = quit(self, desk).await?;
+                    if next != Next::Work {
+                        return Ok(next);
+                    }
+                }
+                _ if tick.pressed(Key::F(5)) => self.fit(desk).await?,
+                _ => self.walk(tick.key()),
+            }
+        }
+    }
+}
+
+impl Editor {
+    fn new() -> Editor {
+        Editor {
+            history: History::new(circle()),
+            stage: Stage::Starting(None),
+            chosen: Coefficient::new(Column::A, 1),
+            marked: None,
+            typing: None,
+            stepping: None,
+            target: None,
+        }
+    }
+
+    /// Takes up coefficients that need no saving.
+    fn load(&mut self, fourier: Fourier) {
+        *self = Editor { history: History::new(fourier), stage: self.stage.clone(), ..Editor::new() };
+    }
+
+    /// Makes new coefficients the present ones, as a change of its own.
+    fn change(&mut self, fourier: Fourier) {
+        self.history.change(fourier);
+        self.stepping = None;
+    }
+
+    /// Changes a coefficient by steps. Steps of the same one in a row are undone together.
+    fn step(&mut self, place: Coefficient, steps: i32) {
+        let stepped = place.stepped(self.history.now(), steps);
+        if self.stepping == Some(place) {
+            self.history.undo();
+        }
+        let before = self.history.now().clone();
+        self.history.change(stepped);
+        self.stepping = (*self.history.now() != before).then_some(place);
+        self.mark(place);
+    }
+
+    fn mark(&mut self, place: Coefficient) {
+        self.chosen = place;
+        self.marked = Some(place);
+    }
+
+    /// Opens the window of a coefficient for typing.
+    fn begin(&mut self, place: Coefficient) {
+        let width = place.column.quantity().width();
+        self.mark(place);
+        self.typing = Some(Entry::new(layout::area(place), layout::text_at(place), width, Accepts::Number));
+    }
+
+    /// Takes what is typed into a window; whether the event was for it. A click elsewhere ends it with
+    /// what has been typed, if that is a number; other keys end it without.
+    fn type_on(&mut self, tick: &Tick) -> bool {
+        let Some(entry) = &mut self.typing else { return false };
+        match tick.key() {
+            Some(key @ (Key::Enter | Key::Esc | Key::Backspace | Key::Char(_))) => match entry.key(key) {
+                Typed::On => {}
+                Typed::Done if self.take() => self.end_typing(),
+                Typed::Done => {
+                    // Asked again, as in the original.
+                    let place = self.chosen;
+                    self.begin(place);
+                }
+                Typed::Cancelled => self.end_typing(),
+            },
+            Some(_) => {
+                self.end_typing();
+                return false;
+            }
+            None if tick.click().is_some() => {
+                self.take();
+                self.end_typing();
+                return false;
+            }
+            None => return false,
+        }
+        true
+    }
+
+    /// Gives the chosen coefficient the typed value, moved into its range; `false` if it is no number.
+    fn take(&mut self) -> bool {
+        let range = Number::Real(self.chosen.column.quantity().range());
+        let value = self.typing.as_ref().and_then(|entry| range.read(&entry.text));
+        if let Some(value) = value {
+            self.change(self.chosen.changed(self.history.now(), value));
+        }
+        value.is_some()
+    }
+
+    fn end_typing(&mut self) {
+        self.typing = None;
+        self.marked = None;
+    }
+
+    /// Turns the value under the mouse with the wheel; whether it was that.
+    fn wheel(&mut self, tick: &Tick) -> bool {
+        let Some(Event::Wheel(steps)) = tick.event else { return false };
+        self.typing = None;
+        match layout::coefficient_at(tick.mouse.x, tick.mouse.y) {
+            Some(place) => self.step(place, steps),
+            None => self.marked = None,
+        }
+        true
+    }
+
+    /// The command letter of a key or of a click on a button; a click on a window opens it.
+    fn command(&mut self, tick: &Tick) -> Option<char> {
+        let Some((x, y)) = tick.click() else { return tick.letter() };
+        if let Some(place) = layout::coefficient_at(x, y) {
+            self.begin(place);
+            return None;
+        }
+        COMMANDS.iter().find(|button| button.hit(x, y)).map(|button| button.text.letter)
+    }
+
+    /// Changes the chosen coefficient by a key, or chooses another; Esc also takes the fitted curve
+    /// off the picture.
+    fn walk(&mut self, key: Option<Key>) {
+        let place = self.chosen;
+        match key {
+            Some(Key::Up) => self.step(place, 1),
+            Some(Key::Down) => self.step(place, -1),
+            Some(Key::PageUp) => self.step(place, 10),
+            Some(Key::PageDown) => self.step(place, -10),
+            Some(Key::Tab) => self.mark(place.below()),
+            Some(Key::Right) => self.mark(place.beside(1)),
+            Some(Key::Left) => self.mark(place.beside(3)),
+            Some(Key::Enter) => self.begin(place),
+            Some(Key::Esc) if self.marked.is_some() => self.marked = None,
+            Some(Key::Esc) => self.target = None,
+            _ => {}
+        }
+    }
+
+    /// Asks for a coefficient by name and number; `None` is Esc. A click on a window answers too.
+    async fn ask_coefficient(&mut self, desk: &mut Desk<'_>) -> Result<Option<Coefficient>, Quit> {
+        self.marked = None;
+        let windows = [Area::new(360, 10, 383, 23), Area::new(360, 28, 383, 41)];
+        let mut column: Option<Column> = None;
+        let mut number = Entry::new(windows[1], (364, 31), 2, Accepts::Number);
+        loop {
+            let draw = |screen: &mut Screen, language| {
+                self.draw(screen, language);
+                page(screen, TOP);
+                screen.text(230, 26, words::COEFFICIENT_NAME.of(language), Color::Black);
+                let color = |active| if active { Color::LightRed } else { Color::Black };
+                screen.text(320, 12, words::LETTER.of(language), color(column.is_none()));
+                screen.text(320, 30, words::DIGITS.of(language), color(column.is_some()));
+                window(screen, windows[0]);
+                screen.text(368, 13, column.map_or("", Column::name), Color::White);
+                number.draw(screen);
+            };
+            let tick = desk.event(&draw).await?;
+            if let Some(place) = tick.click().and_then(|(x, y)| layout::coefficient_at(x, y)) {
+                return Ok(Some(place));
+            }
+            let Some(key) = tick.key() else { continue };
+            match (column, number.key(key)) {
+                (_, Typed::Cancelled) => return Ok(None),
+                (None, _) => {
+                    number.text.clear();
+                    column = tick.letter().and_then(Column::of_letter);
+                }
+                (Some(_), Typed::On) => {}
+                (Some(column), Typed::Done) => {
+                    let typed = number.text.parse().ok().filter(|k| column.numbers().contains(k));
+                    match typed {
+                        Some(k) => return Ok(Some(Coefficient::new(column, k))),
+                        None => {
+                            number.text.clear();
+                            desk.tell(words::no_such_coefficient(&column.numbers()), Stay::Briefly);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The picture of the Fourier editor: the model as pixels, changing nothing.
+
+use super::coefficient::{Coefficient, Column, curve};
+use super::{Editor, Stage, layout};
+use crate::file::Fourier;
+use crate::machine::Language;
+use crate::screen::{Color, Screen, Stroke};
+use crate::ui::{Button, Picture, TOP, page, words};
+
+/// Steps in which the curve is drawn.
+const STEPS: usize = 1000;
+
+/// The command buttons.
+pub(super) const COMMANDS: [Button; 2] =
+    [Button::new(550, 21, words::CHANGE), Button::new(550, 38, words::QUIT)];
+
+impl Picture for Editor {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        screen.clear(Color::LightCyan);
+        let shown = match &self.stage {
+            Stage::Starting(before) => before.as_deref(),
+            Stage::Working => Some(self.history.now()),
+        };
+        if let Some(fourier) = shown {
+            self.draw_field(screen, fourier);
+        }
+        layout::surroundings(screen);
+        page(screen, TOP);
+        if let Some(fourier) = shown {
+            self.draw_columns(screen, fourier);
+            COMMANDS.iter().for_each(|button| button.draw(screen, language));
+        }
+        if self.stage == Stage::Working {
+            self.draw_notes(screen, language);
+        }
+    }
+}
+
+impl Editor {
+    /// The curve, over the one that it was fitted to.
+    fn draw_field(&self, screen: &mut Screen, fourier: &Fourier) {
+        layout::field(screen);
+        if let Some(target) = &self.target {
+            screen.polyline(&target.outline, Stroke::thin(Color::LightRed));
+        }
+        // Coefficients without a curve are refused when a file is opened, and cannot be typed.
+        if let Ok(points) = curve(fourier).and_then(|curve| curve.polyline(STEPS)) {
+            let pixels: Vec<_> = points.into_iter().map(layout::to_screen).collect();
+            screen.polyline(&pixels, Stroke::thick(Color::White));
+        }
+    }
+
+    fn draw_columns(&self, screen: &mut Screen, fourier: &Fourier) {
+        Column::ALL.iter().for_each(|&(column, _)| layout::column(screen, column));
+        for place in Coefficient::all() {
+            let color = if self.marked == Some(place) { Color::Yellow } else { Color::White };
+            let (x, y) = layout::text_at(place);
+            screen.text(x, y, &place.column.quantity().shown(place.of(fourier)), color);
+        }
+        if let Some(entry) = &self.typing {
+            entry.draw(screen);
+        }
+    }
+
+    /// On the communication page: the marked coefficient with all its digits, and the error of the fit.
+    fn draw_notes(&self, screen: &mut Screen, language: Language) {
+        let fourier = self.history.now();
+        if let Some(place) = self.marked {
+            screen.text(216, 10, &place.exact(fourier), Color::Black);
+        }
+        if let Some(target) = &self.target {
+            screen.text(216, 22, target.name.of(language), Color::Black);
+            if let Some(error) = target.deviation(fourier) {
+                let text = format!("RMS {} max {}", short(error.rms), short(error.largest));
+                screen.text(216, 34, &text, Color::Black);
+            }
+        }
+    }
+}
+
+/// A distance in pixels with two decimals, or as a power of ten when it is very long.
+fn short(distance: f64) -> String {
+    if distance < 1e5 { format!("{distance:.2}") } else { format!("{distance:.1e}") }
+}
