@@ -88,13 +88,13 @@ pub(crate) const SPLINE: Hot = hot('3', " Spline", " Spline");
 pub(crate) const B_SPLINE: Hot = hot('4', " B-spl.", " B-spl.");
 
 // Questions. The blanks centre them as in the original.
-pub(crate) const ASK_END: Words = Words("Vége a munkának ?", "End of work ?");
-pub(crate) const ASK_NEW: Words = Words("Uj konfiguráció ?", "New configuration ?");
-pub(crate) const ASK_SAVE: Words = Words("Menteni a konfigurációt ?", "Save the configuration ?");
-pub(crate) const ASK_CONFIGURATION: Words = Words("Konfiguráció ?", "Configuration ?");
-pub(crate) const ASK_SHAPE: Words = Words("Görbe alakja ?", "Shape of the curve ?");
-pub(crate) const ASK_DEGREE: Words = Words("Polinomok foka ?", "Degree ?");
-pub(crate) const ASK_CHANGE: Words = Words("Mi változik ?", "What changes ?");
+pub(crate) const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
+pub(crate) const ASK_NEW: Words = Words("      Uj konfiguráció ?", "    New configuration ?");
+pub(crate) const ASK_SAVE: Words = Words(" Menteni a konfigurációt ?", "  Save the configuration ?");
+pub(crate) const ASK_CONFIGURATION: Words = Words("       Konfiguráció ?", "      Configuration ?");
+pub(crate) const ASK_SHAPE: Words = Words("       Görbe alakja ?", "    Shape of the curve ?");
+pub(crate) const ASK_DEGREE: Words = Words("      Polinomok foka ?", "          Degree ?");
+pub(crate) const ASK_CHANGE: Words = Words("      Mi változik ?", "       What changes ?");
 pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "  Show control points ?");
 pub(crate) const FILE_NAME: Words = Words("File neve ?", "File name ?");
 pub(crate) const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
