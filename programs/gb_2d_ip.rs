@@ -1,7 +1,7 @@
 //! GB_2D_IP: plane curves by interpolation and approximation methods (chapters 2.3.1, 2.3.2, 2.3.5 to
 //! 2.3.8). All of it is the plane editor.
 
-use grafika::editor::plane;
+use grafika::editor::plane::{self, Tools};
 use grafika::launch::Program;
 use grafika::ui::{Manual, Words};
 use std::process::ExitCode;
@@ -12,13 +12,13 @@ const MANUAL: Manual = Manual {
         "Síkgörbék kontrollpontokkal: Coons, Bézier, spline, B-spline",
         "Plane curves by control points: Coons, Bézier, spline, B-spline",
     ),
-    keys: plane::KEYS,
+    keys: Tools::Methods.keys(),
 };
 
 pub(crate) const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.3.1, 2.3.2, 2.3.5-2.3.8",
-    run: |machine, file| Box::pin(plane::run(machine, MANUAL, file)),
+    run: |machine, file| Box::pin(plane::run(machine, MANUAL, Tools::Methods, file)),
     check: plane::check,
 };
 

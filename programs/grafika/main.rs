@@ -1,5 +1,9 @@
 //! `grafika`: the menu and the command line over all programs.
 
+#[path = "../gb_2d_bt.rs"]
+mod gb_2d_bt;
+#[path = "../gb_2d_ch.rs"]
+mod gb_2d_ch;
 #[path = "../gb_2d_ip.rs"]
 mod gb_2d_ip;
 #[path = "../gb_3d_bt.rs"]
@@ -10,6 +14,7 @@ mod gb_3d_ip;
 mod convert;
 mod curve;
 mod menu;
+mod render;
 mod sample;
 
 use clap::error::ErrorKind;
@@ -21,7 +26,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Every program, in the order of the book.
-const PROGRAMS: &[Program] = &[gb_2d_ip::PROGRAM, gb_3d_ip::PROGRAM, gb_3d_bt::PROGRAM];
+const PROGRAMS: &[Program] =
+    &[gb_2d_ch::PROGRAM, gb_2d_ip::PROGRAM, gb_2d_bt::PROGRAM, gb_3d_ip::PROGRAM, gb_3d_bt::PROGRAM];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]
@@ -44,6 +50,8 @@ enum Command {
     },
     /// Write points of a curve as CSV or JSON
     Sample(sample::Sample),
+    /// Draw a curve as PNG or SVG
+    Render(render::Render),
     /// Convert a data file into another format, by the extensions
     Convert(convert::Convert),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
@@ -66,6 +74,7 @@ fn run() -> Result<(), Failure> {
             write_output(None, format!("{lines}\n").as_bytes())
         }
         Some(Command::Sample(sample)) => sample.run(),
+        Some(Command::Render(render)) => render.run(),
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Program(words)) => run_program(words),
     }

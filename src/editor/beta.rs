@@ -2,39 +2,16 @@
 //! questions that change them, their display, and the marks at the joints.
 
 use super::choice::ask_real;
-use crate::geometry::{Closure, Curve, Method, Point};
+use crate::geometry::{Closure, Curve, Point, Shape};
 use crate::machine::{Language, Quit};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Button, Desk, Picture, words};
 use std::ops::RangeInclusive;
 
-/// The two shape parameters of a uniform beta-spline.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shape {
-    /// Bias, above zero; 1 is none.
-    pub(super) bias: f64,
-    /// Tension, half of Barsky's; 0 is none.
-    pub(super) tension: f64,
-}
-
-impl Default for Shape {
-    /// The cubic B-spline.
-    fn default() -> Shape {
-        Shape { bias: 1.0, tension: 0.0 }
-    }
-}
-
-impl Shape {
-    /// The method with this shape.
-    pub(super) fn method(self) -> Method {
-        Method::Beta { bias: self.bias, tension: self.tension }
-    }
-}
-
 /// What the bias may be.
-const BIAS: RangeInclusive<f64> = 0.05..=20.0;
+pub(super) const BIAS: RangeInclusive<f64> = 0.05..=20.0;
 /// What the tension may be: four characters can be typed, and nothing is too much.
-const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
+pub(super) const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// The buttons that ask for the bias and the tension.
 pub(super) const BUTTONS: [Button; 2] =

@@ -3,7 +3,6 @@
 
 use crate::geometry::{Closure, Curve, GeometryError, Method, Point};
 use crate::machine::{Key, Quit};
-use crate::screen::Color;
 use crate::ui::words::{self, Words};
 use crate::ui::{
     Answer, Area, Button, Caption, Desk, Field, Form, MIDDLE, Number, Picture, Question, Stay, TOP,
@@ -22,7 +21,7 @@ const STEPS: usize = 50;
 /// Steps that the Bézier curve of all points is drawn in.
 const BEZIER_STEPS: usize = 100;
 /// Steps that a span of a beta-spline is drawn in.
-const BETA_STEPS: usize = 500;
+pub(super) const BETA_STEPS: usize = 500;
 
 impl Choice {
     /// The curve through or near control points.
@@ -108,15 +107,13 @@ pub(super) const METHODS: [Button; 4] = [
 
 /// Asks for a point's number and gives its index; nothing for Esc, zero and less.
 pub(super) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<usize>, Quit> {
-    let form = Form {
-        captions: vec![Caption { at: (262, 26), text: words::NUMBER_ENTRY, color: Color::Black }],
-        fields: vec![Field {
-            area: Area::new(330, 19, 361, 32),
-            at: (338, 22),
-            longest: 2,
-            kind: Number::Whole(0..=i32::MAX),
-        }],
+    let field = Field {
+        area: Area::new(330, 19, 361, 32),
+        at: (338, 22),
+        longest: 2,
+        kind: Number::Whole(0..=i32::MAX),
     };
+    let form = Form::new(vec![Caption::new((262, 26), words::NUMBER_ENTRY)], vec![field]);
     let numbers = desk.numbers(picture, &form).await?;
     Ok(numbers.and_then(|numbers| (numbers[0] as usize).checked_sub(1)))
 }
@@ -145,15 +142,9 @@ pub(super) async fn ask_real(
     (caption, at): (Words, (i32, i32)),
     range: RangeInclusive<f64>,
 ) -> Result<Option<f64>, Quit> {
-    let form = Form {
-        captions: vec![Caption { at, text: caption, color: Color::Black }],
-        fields: vec![Field {
-            area: Area::new(330, 19, 375, 32),
-            at: (338, 22),
-            longest: 4,
-            kind: Number::Real(range),
-        }],
-    };
+    let field =
+        Field { area: Area::new(330, 19, 375, 32), at: (338, 22), longest: 4, kind: Number::Real(range) };
+    let form = Form::new(vec![Caption::new(at, caption)], vec![field]);
     let numbers = desk.numbers(picture, &form).await?;
     Ok(numbers.map(|numbers| numbers[0]))
 }

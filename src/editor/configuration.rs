@@ -21,10 +21,11 @@ pub enum Next {
 
 /// A program's state with a configuration that is edited and kept in files.
 pub trait Configuration: Picture {
-    /// The format of the stored configurations.
-    const FORMAT: Format;
     /// What is changed, undone and saved.
     type Value: Clone + PartialEq;
+
+    /// The format of the stored configurations.
+    fn format(&self) -> Format;
 
     /// The edited value with its past.
     fn history(&mut self) -> &mut History<Self::Value>;
@@ -55,7 +56,7 @@ pub trait Configuration: Picture {
     /// # Errors
     /// What is wrong with the file.
     fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-        self.open(&read_document(storage, name, Self::FORMAT)?)
+        self.open(&read_document(storage, name, self.format())?)
     }
 
     /// The files that a configuration is stored in, for the name of the first one.
@@ -63,7 +64,7 @@ pub trait Configuration: Picture {
     /// # Errors
     /// What the format cannot hold.
     fn files(&self, name: &str) -> Result<Vec<(String, Vec<u8>)>, Phrase> {
-        let content = self.document().write(Self::FORMAT).map_err(|error| words::in_file(name, &error))?;
+        let content = self.document().write(self.format()).map_err(|error| words::in_file(name, &error))?;
         Ok(vec![(name.to_string(), content)])
     }
 }
@@ -150,7 +151,7 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
         if desk.ask(&*state, &question).await? != Some(Answer::Second) {
             return Ok(());
         }
-        let name = desk.file_name(&*state, C::FORMAT.extension(), Way::Load).await?;
+        let name = desk.file_name(&*state, state.format().extension(), Way::Load).await?;
         let Some(name) = name else { continue };
         match state.read(desk.machine.storage(), &name) {
             Ok(()) => return Ok(()),
@@ -161,7 +162,7 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
 
 /// Asks for a name and saves; whether it was done.
 async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
-    let name = desk.file_name(&*state, C::FORMAT.extension(), Way::Save).await?;
+    let name = desk.file_name(&*state, state.format().extension(), Way::Save).await?;
     let Some(name) = name else { return Ok(false) };
     if desk.machine.storage().find(&name).is_some() && !desk.yes(&*state, words::exists(&name)).await? {
         return Ok(false);

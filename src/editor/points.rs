@@ -9,9 +9,12 @@ use crate::machine::Quit;
 use crate::ui::{Answer, Desk, Question, Stay, TOP, words};
 
 /// An editor of control points.
-pub(super) trait PointEditor: Configuration<Value = Drawing<Self::Place>> {
+pub(super) trait PointEditor: Configuration {
     /// A control point.
     type Place: Place;
+
+    /// The control points.
+    fn drawing(&self) -> &Drawing<Self::Place>;
 
     /// Asks for the place of a point; nothing for Esc.
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Self::Place>, Quit>;
@@ -24,13 +27,13 @@ pub(super) trait PointEditor: Configuration<Value = Drawing<Self::Place>> {
 }
 
 /// How many points there are.
-fn count<E: PointEditor>(editor: &mut E) -> usize {
-    editor.history().now().points().len()
+fn count<E: PointEditor>(editor: &E) -> usize {
+    editor.drawing().points().len()
 }
 
 /// The command B: a new point with a number and a place.
 pub(super) async fn insert<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Result<(), Quit> {
-    if editor.history().now().full() {
+    if editor.drawing().full() {
         desk.tell(words::FULL, Stay::Briefly);
         return Ok(());
     }
@@ -43,7 +46,18 @@ pub(super) async fn insert<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) 
 /// The command V: another number or another place for a point.
 pub(super) async fn change<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Result<(), Quit> {
     let count = count(editor);
-    let Some(index) = ask_existing(desk, editor, count).await? else { return Ok(()) };
+    match ask_existing(desk, editor, count).await? {
+        Some(index) => change_at(editor, desk, index).await,
+        None => Ok(()),
+    }
+}
+
+/// The command V for a point whose number is known.
+pub(super) async fn change_at<E: PointEditor>(
+    editor: &mut E,
+    desk: &mut Desk<'_>,
+    index: usize,
+) -> Result<(), Quit> {
     editor.point_out(Some(index));
     let edit = ask_edit(editor, desk, index).await;
     editor.point_out(None);

@@ -1,30 +1,40 @@
-//! Room under construction.
-/// stub
-pub fn screen_png(screen: &crate::screen::Screen) -> Result<Vec<u8>, String> {
-    let mut out = Vec::new();
-    let mut e = png::Encoder::new(&mut out, 640, 480);
-    e.set_color(png::ColorType::Indexed);
-    e.set_depth(png::BitDepth::Four);
-    e.set_palette(crate::screen::Color::ALL.iter().flat_map(|c| c.rgb()).collect::<Vec<u8>>());
-    let mut w = e.write_header().map_err(|e| e.to_string())?;
-    let data: Vec<u8> = screen.pixels().chunks(2).map(|p| p[0] << 4 | p[1]).collect();
-    w.write_image_data(&data).map_err(|e| e.to_string())?;
-    w.finish().map_err(|e| e.to_string())?;
-    Ok(out)
-}
+//! Pictures and tables for other programs: the screen as a PNG, curves with their control points as
+//! SVG or PNG, sampled curves as CSV or JSON.
+//!
+//! A [`Figure`] is a picture in world coordinates, built once and written in either format. Everything
+//! here is values in, bytes or text out: no files, no screen modes, no choice of what to draw.
+//!
+//! A closed spline with its control points:
+//!
+//! ```
+//! use grafika::figure::{Figure, Style};
+//! use grafika::geometry::{Closure, Curve, Method};
+//!
+//! let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+//! let curve = Curve::through(Method::Spline, Closure::Closed, &points)?;
+//! let mut figure = Figure::new();
+//! figure.set_title("Spline");
+//! figure.curve(curve.to_cubics(1e-6)?, Closure::Closed, Style::line([0, 0, 160], 2.0));
+//! for (index, &point) in points.iter().enumerate() {
+//!     figure.disc(point, 5.0, Style::filled([255, 255, 255], [0, 0, 0]), Some(format!("{}", index + 1)));
+//! }
+//! let svg = figure.to_svg()?;
+//! assert!(svg.contains("M0 0 C"));
+//! let png = figure.to_png(400)?;
+//! assert!(png.starts_with(b"\x89PNG"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-pub fn curve_csv<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; D])>) -> String {
-    let mut s = String::new();
-    s.push_str(if D == 2 { "span,u,x,y\n" } else { "span,u,x,y,z\n" });
-    for (a, u, p) in rows {
-        s.push_str(&format!("{a},{u}"));
-        for c in p {
-            s.push_str(&format!(",{c}"));
-        }
-        s.push('\n');
-    }
-    s
-}
-pub fn curve_json<const D: usize>(_rows: impl Iterator<Item = (usize, f64, [f64; D])>) -> String {
-    String::new()
-}
+mod error;
+mod layout;
+mod number;
+mod picture;
+mod raster;
+mod screen_png;
+mod svg;
+mod table;
+
+pub use error::FigureError;
+pub use picture::{Figure, LARGEST_WIDTH, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
+pub use screen_png::screen_png;
+pub use table::{curve_csv, curve_json};

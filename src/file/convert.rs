@@ -66,7 +66,7 @@ impl Document {
                 if points.iter().all(|&[_, _, z]| z == 0.0) =>
             {
                 let points = points.into_iter().map(|[x, y, _]| [x, y]).collect();
-                Self::PlanePoints(PlanePoints { points, tangents: None, settings })
+                Self::PlanePoints(PlanePoints { points, settings, ..PlanePoints::default() })
             }
             (Self::PlanePoints(points), Format::Ip2) => {
                 Self::PlanePoints(PlanePoints { tangents: None, ..points })

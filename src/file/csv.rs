@@ -32,7 +32,9 @@ impl Document {
     pub fn to_csv(&self) -> Result<String, FileError> {
         self.check()?;
         match self {
-            Self::PlanePoints(PlanePoints { points, tangents: None, settings }) if settings.is_empty() => {
+            Self::PlanePoints(PlanePoints { points, tangents: None, joints: None, settings })
+                if settings.is_empty() =>
+            {
                 Ok(text(PLANE_HEADER, points))
             }
             Self::SpacePoints(SpacePoints { points, settings }) if settings.is_empty() => {

@@ -6,6 +6,7 @@
 
 use super::check::{self, Bounds};
 use super::{CurveSettings, FileError, Format, settings};
+use crate::geometry::Shape;
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,9 @@ pub struct PlanePoints {
     /// The full tangent vector at each point, if the curve has its own (GB_2D_CH).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tangents: Option<Vec<[f64; 2]>>,
+    /// The shape of the joint at each point, where they vary along the curve (2.68); only JSON holds this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joints: Option<Vec<Shape>>,
     /// How the curve is drawn; only JSON holds this.
     #[serde(default, skip_serializing_if = "CurveSettings::is_empty")]
     pub settings: CurveSettings,
@@ -71,14 +75,24 @@ impl PlanePoints {
     /// [`FileError::Invalid`] when a number is not finite or the tangents are not as many as the points.
     pub(super) fn check(&self) -> Result<(), FileError> {
         check::finite("point", &self.points)?;
-        let Some(tangents) = &self.tangents else { return Ok(()) };
-        check::finite("tangent", tangents)?;
-        if tangents.len() == self.points.len() {
+        if let Some(tangents) = &self.tangents {
+            check::finite("tangent", tangents)?;
+            self.check_one_each("tangents", tangents.len())?;
+        }
+        if let Some(joints) = &self.joints {
+            let values: Vec<_> = joints.iter().map(|shape| [shape.bias, shape.tension]).collect();
+            check::finite("joint", &values)?;
+            self.check_one_each("joints", joints.len())?;
+        }
+        Ok(())
+    }
+
+    fn check_one_each(&self, what: &str, count: usize) -> Result<(), FileError> {
+        if count == self.points.len() {
             return Ok(());
         }
         Err(FileError::Invalid(format!(
-            "{} tangents for {} points; there must be one for every point",
-            tangents.len(),
+            "{count} {what} for {} points; there must be one for every point",
             self.points.len()
         )))
     }
@@ -122,6 +136,9 @@ impl PlanePoints {
     pub(super) fn write(&self, format: Format) -> Result<Vec<u8>, FileError> {
         if self.tangents.is_some() && format != Format::Ic2 {
             return Err(FileError::misfit(format, "the tangents have no place there"));
+        }
+        if self.joints.is_some() {
+            return Err(FileError::misfit(format, "the shapes of the joints have no place there"));
         }
         self.check_fits(format)?;
         let mut writer = Writer::default();

@@ -37,6 +37,7 @@
 //! ```
 
 mod arclen;
+mod beta;
 mod bezier;
 mod bounds;
 mod cubic;
@@ -52,6 +53,7 @@ mod view;
 mod weights;
 mod window;
 
+pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
 pub use bounds::BoundingBox;
 pub use cubic::CubicBezier;

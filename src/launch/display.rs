@@ -47,13 +47,23 @@ fn run_script(session: &mut Session, path: &Path) -> Result<(), Failure> {
     play(session, &script, &mut Disk).map_err(|error| Failure::work(format!("{shown}: {error}")))
 }
 
-/// Shows a session in a window or in the terminal.
+/// Shows a session in a window, or in the terminal where none can be opened.
 fn live(
     session: &mut Session,
     name: &str,
     wish: Option<DisplayKind>,
     options: &RunOptions,
 ) -> Result<(), Failure> {
+    #[cfg(feature = "window")]
+    if wish == Some(DisplayKind::Window) || (wish.is_none() && crate::machine::window::window_possible()) {
+        let options =
+            crate::machine::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
+        return crate::machine::window::run(session, &options).map_err(Failure::work);
+    }
+    #[cfg(feature = "terminal")]
+    if wish != Some(DisplayKind::Window) {
+        return crate::machine::terminal::run(session).map_err(Failure::work);
+    }
     let _ = (session, name, wish, options);
-    Err(Failure::work("this build has no display; play a script with --script FILE"))
+    Err(Failure::work("this build has no such display; play a script with --script FILE"))
 }

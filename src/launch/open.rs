@@ -1,6 +1,7 @@
 //! Finding and reading the file that a command line names.
 
 use super::Failure;
+use crate::editor::plane::with_twin;
 use crate::file::{Document, FileKind, Format};
 use crate::machine::{Folder, Storage};
 use std::path::{Path, PathBuf};
@@ -38,6 +39,7 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
     })?;
     let document = Document::decode(kind_of(path)?, &content)
         .map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
+    let document = with_twin(document, &storage, file_name);
     Ok(Opened { name, folder, document })
 }
 

@@ -31,6 +31,10 @@ mod samples;
 mod script;
 mod session;
 mod storage;
+#[cfg(feature = "terminal")]
+pub mod terminal;
+#[cfg(feature = "window")]
+pub mod window;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
 #[cfg(feature = "native")]

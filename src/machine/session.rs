@@ -3,7 +3,7 @@
 //! Frames and deadlines fall on a fixed grid of the session's own time, whatever the display's rate, so
 //! that a recorded session replays to the same pictures.
 
-use super::event::{Event, Tick};
+use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
 use super::{Language, Machine, Pointer, Quit};
@@ -66,6 +66,20 @@ impl Session {
             Pointer::Hidden => None,
             Pointer::Shown(masks) => Some((masks, port.mouse.x, port.mouse.y)),
         }
+    }
+
+    /// Where the mouse is and what it holds, as the program knows it.
+    pub fn mouse(&self) -> Mouse {
+        self.port.borrow().mouse
+    }
+
+    /// A copy of the screen with the program's mouse pointer on it, as a display shows it.
+    pub fn picture(&self) -> Screen {
+        let mut picture = self.screen().clone();
+        if let Some((masks, x, y)) = self.pointer() {
+            picture.pointer(x, y, masks);
+        }
+        picture
     }
 
     /// The language that the program speaks now.
@@ -138,6 +152,29 @@ impl Session {
         if let Poll::Ready(_) = program.as_mut().poll(&mut context) {
             self.program = None;
         }
+    }
+}
+
+/// The time of a live display since it began, in whole milliseconds, as scripts count.
+#[cfg(any(feature = "window", feature = "terminal"))]
+pub(super) struct Clock(std::time::Instant);
+
+#[cfg(any(feature = "window", feature = "terminal"))]
+impl Clock {
+    pub(super) fn start() -> Clock {
+        Clock(std::time::Instant::now())
+    }
+
+    pub(super) fn now(&self) -> Duration {
+        Duration::from_millis(u64::try_from(self.0.elapsed().as_millis()).unwrap_or(u64::MAX))
+    }
+
+    /// When the session wants to run again without any event: the first whole millisecond that is not
+    /// before its deadline.
+    pub(super) fn due(&self, session: &Session) -> Option<std::time::Instant> {
+        let deadline = session.deadline()?;
+        let milliseconds = u64::try_from(deadline.as_nanos().div_ceil(1_000_000)).unwrap_or(u64::MAX);
+        self.0.checked_add(Duration::from_millis(milliseconds))
     }
 }
 

@@ -4,7 +4,7 @@
 use super::desk::{Desk, Picture};
 use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
-use super::words::{self, Hot, Phrase, Words};
+use super::words::{self, Hot, Phrase};
 use crate::machine::{Key, Language, Quit};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
@@ -62,14 +62,26 @@ pub enum Answer {
 }
 
 /// A text on an entry page.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Caption {
     /// Upper left pixel.
     pub at: (i32, i32),
     /// The text.
-    pub text: Words,
+    pub text: Phrase,
     /// Its colour.
     pub color: Color,
+}
+
+impl Caption {
+    /// A black text at a place.
+    pub fn new(at: (i32, i32), text: impl Into<Phrase>) -> Caption {
+        Caption { at, text: text.into(), color: Color::Black }
+    }
+
+    /// The text in another colour.
+    pub fn colored(self, color: Color) -> Caption {
+        Caption { color, ..self }
+    }
 }
 
 /// A number to be typed.
@@ -118,6 +130,15 @@ pub struct Form {
     pub captions: Vec<Caption>,
     /// The numbers, in the order in which they are typed.
     pub fields: Vec<Field>,
+    /// What is drawn on the page besides.
+    pub ornament: fn(&mut Screen),
+}
+
+impl Form {
+    /// A page of texts and numbers.
+    pub fn new(captions: Vec<Caption>, fields: Vec<Field>) -> Form {
+        Form { captions, fields, ornament: |_| {} }
+    }
 }
 
 impl Desk<'_> {
@@ -174,6 +195,7 @@ impl Desk<'_> {
                     for caption in &form.captions {
                         screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
                     }
+                    (form.ornament)(screen);
                     entries.iter().for_each(|entry| entry.draw(screen));
                 })
                 .await?;

@@ -89,13 +89,13 @@ pub(crate) const B_SPLINE: Hot = hot('4', " B-spl.", " B-spl.");
 
 // Questions. The blanks centre them as in the original.
 pub(crate) const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
-pub(crate) const ASK_NEW: Words = Words("      Uj konfiguráció ?", "    New configuration ?");
+pub(crate) const ASK_NEW: Words = Words("     Uj konfiguráció ?", "    New configuration ?");
 pub(crate) const ASK_SAVE: Words = Words(" Menteni a konfigurációt ?", "  Save the configuration ?");
 pub(crate) const ASK_CONFIGURATION: Words = Words("       Konfiguráció ?", "      Configuration ?");
 pub(crate) const ASK_SHAPE: Words = Words("       Görbe alakja ?", "    Shape of the curve ?");
 pub(crate) const ASK_DEGREE: Words = Words("      Polinomok foka ?", "          Degree ?");
 pub(crate) const ASK_CHANGE: Words = Words("      Mi változik ?", "       What changes ?");
-pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "  Show control points ?");
+pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "   Show control points ?");
 pub(crate) const FILE_NAME: Words = Words("File neve ?", "File name ?");
 pub(crate) const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
 
@@ -199,9 +199,46 @@ pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
     Phrase::new(hungarian, format!("{name}: {error}"))
 }
 
+// Beta-splines and their joints.
+pub(crate) const HELP_SHAPE: Words =
+    Words("eltolás, feszültség az egész görbén", "bias, tension of the whole curve");
+pub(crate) const HELP_CURVE_FORM: Words = Words("görbe: nyitott vagy zárt", "curve: open or closed");
+pub(crate) const HELP_JOINTS: Words =
+    Words("egy csatlakozás eltolása, feszültsége (2.68)", "bias, tension of one joint (2.68)");
+pub(crate) const HELP_JOINTS_OFF: Words =
+    Words("minden csatlakozás megint egyforma", "all joints alike again");
+pub(crate) const JOINT_ENTRY: Words = Words("Csatl.:", "Joint:");
+pub(crate) const JOINT_BIAS: Words = Words("elt.=", "bias=");
+pub(crate) const JOINT_TENSION: Words = Words("fesz.=", "tens.=");
+pub(crate) const JOINTS_ALIKE: Words = Words("Minden csatlakozás egyforma", "All joints are alike");
+
+// Tangents.
+pub(crate) const POINT: Hot = hot('P', "ont", "-oint");
+pub(crate) const TANGENT: Hot = hot('E', "rintő", "-tang.");
+pub(crate) const LENGTH: Hot = hot('H', "ossz", "-size");
+pub(crate) const ANGLE: Hot = hot('S', "zög", "-angle");
+pub(crate) const COONS_TITLE: Words = Words("COONS INTERPOLÁCIÓ", "COONS INTERPOLATION");
+pub(crate) const ASK_AUTOMATIC: Words = Words(" Önműködő érintőszámítás ?", "    Automatic tangents ?");
+pub(crate) const TANGENT_LENGTH: Words = Words("Érintő hossza", "Tangent length");
+pub(crate) const TANGENT_ANGLE: Words = Words("Érintő iránya", "Tangent angle");
+pub(crate) const NEW_VALUE: Words = Words("új:", "new:");
+pub(crate) const NO_TANGENTS: Words = Words(
+    "Nincs hozzá .EC2: az érintőket a szomszédos pontok adják, k0 = 0.5",
+    "There is no .EC2 with it: the neighbouring points give the tangents, k0 = 0.5",
+);
+pub(crate) const HELP_CHANGE_TANGENT: Words =
+    Words("változtatás: pont vagy érintő (hossz, szög)", "change: point or tangent (length, angle)");
+pub(crate) const HELP_DRAG_TANGENT: Words =
+    Words("pont vagy érintő húzása", "drag a point or the tip of a tangent");
+
+/// What a number is before it is changed.
+pub(crate) fn now_it_is(number: f64) -> Phrase {
+    Phrase::new(format!("most: {number}"), format!("now: {number}"))
+}
+
 // Beta-splines.
 pub(crate) const BIAS_BUTTON: Hot = hot('A', " - elt.", " - bias");
-pub(crate) const TENSION_BUTTON: Hot = hot('C', " - fesz.", " - tens.");
+pub(crate) const TENSION_BUTTON: Hot = hot('C', " - fesz", " - tens");
 pub(crate) const BIAS_ENTRY: Words = Words("Eltolás:", "Bias:");
 pub(crate) const TENSION_ENTRY: Words = Words("Feszültség:", "Tension:");
 pub(crate) const BIAS_VALUE: Words = Words("Eltolás = ", "Bias = ");

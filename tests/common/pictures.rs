@@ -7,30 +7,46 @@ use std::path::{Path, PathBuf};
 /// A picture of 640x480 colour numbers.
 pub type Pixels = Vec<u8>;
 
-/// The 16-colour pixels of a PNG of 640x480; every colour becomes the nearest of the palette.
-pub fn read(path: &Path) -> Pixels {
-    let file = std::fs::File::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
+/// A picture of any size.
+pub struct Picture {
+    pub width: usize,
+    pub height: usize,
+    /// Red, green and blue, row by row from the top left.
+    pub rgb: Vec<[u8; 3]>,
+}
+
+/// How far a channel may be off before a pixel of a smoothed picture differs: processors round
+/// differently.
+const ROUNDING: u8 = 4;
+
+/// The pixels of a PNG.
+pub fn decode(png: &[u8]) -> Picture {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
     decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::STRIP_16);
     let mut reader = decoder.read_info().expect("a PNG");
     let mut buffer = vec![0; reader.output_buffer_size().expect("a PNG of this size")];
     let info = reader.next_frame(&mut buffer).expect("a whole PNG");
-    assert_eq!((info.width as i32, info.height as i32), (WIDTH, HEIGHT), "{}", path.display());
     let samples = info.color_type.samples();
-    let nearest = |rgb: [u8; 3]| {
+    let rgb = |pixel: &[u8]| if samples >= 3 { [pixel[0], pixel[1], pixel[2]] } else { [pixel[0]; 3] };
+    let rgb = buffer[..info.buffer_size()].chunks_exact(samples).map(rgb).collect();
+    Picture { width: info.width as usize, height: info.height as usize, rgb }
+}
+
+/// The 16-colour pixels of a PNG of 640x480; every colour becomes the nearest of the palette.
+pub fn read(path: &Path) -> Pixels {
+    let picture = decode(&content(path));
+    assert_eq!((picture.width as i32, picture.height as i32), (WIDTH, HEIGHT), "{}", path.display());
+    let nearest = |rgb: &[u8; 3]| {
         let distance = |color: &Color| -> u32 {
-            color.rgb().iter().zip(rgb).map(|(&a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+            color.rgb().iter().zip(rgb).map(|(&a, &b)| u32::from(a.abs_diff(b)).pow(2)).sum()
         };
         Color::ALL.iter().min_by_key(|color| distance(color)).expect("there are colours").index()
     };
-    buffer[..info.buffer_size()]
-        .chunks_exact(samples)
-        .map(
-            |pixel| {
-                if samples >= 3 { nearest([pixel[0], pixel[1], pixel[2]]) } else { nearest([pixel[0]; 3]) }
-            },
-        )
-        .collect()
+    picture.rgb.iter().map(nearest).collect()
+}
+
+fn content(path: &Path) -> Vec<u8> {
+    std::fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// Where two pictures differ.
@@ -48,10 +64,19 @@ impl fmt::Display for Difference {
     }
 }
 
-/// The difference of two pictures, if there is one.
+/// The difference of two screens, if there is one.
 pub fn difference(ours: &[u8], theirs: &[u8]) -> Option<Difference> {
-    let width = WIDTH as usize;
-    let places = ours.iter().zip(theirs).enumerate().filter(|(_, (a, b))| a != b);
+    difference_by(ours, theirs, WIDTH as usize, |a, b| a != b)
+}
+
+/// The difference of two pictures of the same size.
+fn difference_by<T>(
+    ours: &[T],
+    theirs: &[T],
+    width: usize,
+    differ: impl Fn(&T, &T) -> bool,
+) -> Option<Difference> {
+    let places = ours.iter().zip(theirs).enumerate().filter(|(_, (a, b))| differ(a, b));
     let places: Vec<(usize, usize)> = places.map(|(index, _)| (index % width, index / width)).collect();
     let bounds = |of: fn(&(usize, usize)) -> usize| {
         let values = || places.iter().map(of);
@@ -70,14 +95,33 @@ pub fn agreement(ours: &[u8], theirs: &[u8]) -> f64 {
 /// Compares a screen with the golden picture `tests/golden/NAME.png`. With `UPDATE_PICTURES=1` the
 /// golden picture becomes what the screen shows.
 pub fn assert_golden(name: &str, screen: &Screen) {
-    let path = super::path("golden").join(format!("{name}.png"));
-    if std::env::var_os("UPDATE_PICTURES").is_some() {
-        let png = grafika::figure::screen_png(screen).expect("a screen is a picture");
-        std::fs::write(&path, png).expect("the golden picture can be written");
-    }
-    if let Err(problem) = compare(name, screen, &path) {
+    let png = || grafika::figure::screen_png(screen).expect("a screen is a picture");
+    if let Err(problem) = compare(name, screen, &golden(name, png)) {
         panic!("{problem}");
     }
+}
+
+/// Compares a PNG of any size with the golden picture, pixel by pixel but for rounding, as
+/// [`assert_golden`] does with screens.
+pub fn assert_golden_png(name: &str, png: &[u8]) {
+    let ours = decode(png);
+    let theirs = decode(&content(&golden(name, || png.to_vec())));
+    let sizes = [(ours.width, ours.height), (theirs.width, theirs.height)];
+    assert_eq!(sizes[0], sizes[1], "{name}: width and height, ours and the golden one's");
+    let differ = |a: &[u8; 3], b: &[u8; 3]| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > ROUNDING);
+    if let Some(difference) = difference_by(&ours.rgb, &theirs.rgb, ours.width, differ) {
+        let kept = keep_beside(name, ours.width, &ours.rgb, &theirs.rgb);
+        panic!("{name}: {difference}; ours and the golden one: {}", kept.display());
+    }
+}
+
+/// The path of a golden picture, which is written first if that is asked for.
+fn golden(name: &str, png: impl FnOnce() -> Vec<u8>) -> PathBuf {
+    let path = super::path("golden").join(format!("{name}.png"));
+    if std::env::var_os("UPDATE_PICTURES").is_some() {
+        std::fs::write(&path, png()).expect("the golden picture can be written");
+    }
+    path
 }
 
 /// Compares a screen with a picture; a difference is told with where both lie side by side.
@@ -92,17 +136,20 @@ pub fn compare(name: &str, screen: &Screen, golden: &Path) -> Result<(), String>
     }
 }
 
-/// Writes two pictures side by side into the folder of build results.
+/// Writes two screens side by side into the folder of build results.
 pub fn keep_both(name: &str, ours: &[u8], theirs: &[u8]) -> PathBuf {
+    let [ours, theirs] = [ours, theirs]
+        .map(|pixels| pixels.iter().map(|&index| Color::from_index(index).rgb()).collect::<Vec<_>>());
+    keep_beside(name, WIDTH as usize, &ours, &theirs)
+}
+
+/// Writes two pictures of the same size side by side into the folder of build results.
+fn keep_beside(name: &str, width: usize, ours: &[[u8; 3]], theirs: &[[u8; 3]]) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
-    let width = WIDTH as usize;
     let rows = ours.chunks(width).zip(theirs.chunks(width));
-    let rgb: Vec<u8> = rows
-        .flat_map(|(ours, theirs)| ours.iter().chain(theirs))
-        .flat_map(|&index| Color::from_index(index).rgb())
-        .collect();
+    let rgb: Vec<u8> = rows.flat_map(|(ours, theirs)| ours.iter().chain(theirs)).flatten().copied().collect();
     let file = std::fs::File::create(&path).expect("build results can be written");
-    let mut encoder = png::Encoder::new(file, 2 * WIDTH as u32, HEIGHT as u32);
+    let mut encoder = png::Encoder::new(file, 2 * width as u32, (ours.len() / width) as u32);
     encoder.set_color(png::ColorType::Rgb);
     let mut writer = encoder.write_header().expect("a PNG header");
     writer.write_image_data(&rgb).expect("a PNG");

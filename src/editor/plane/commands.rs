@@ -1,26 +1,22 @@
 //! The commands of the plane editor that ask for something: numbers, the curve's form and method.
 
-use super::curves::{self, Kind};
-use super::{Editor, Stage};
-use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_method};
+use super::{Drawing, Editor, Stage, Tools, curves};
+use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_method};
 use crate::editor::configuration::{Next, quit};
 use crate::editor::drawing::Edit;
-use crate::editor::points::{PointEditor, change, delete, insert};
+use crate::editor::points::{PointEditor, change, change_at, delete, insert};
 use crate::file::FIELD;
 use crate::geometry::{Method, Point};
-use crate::machine::{Key, Language, Quit};
-use crate::screen::{Color, Screen};
+use crate::machine::{Key, Quit};
+use crate::screen::Color;
 use crate::ui::words::{self, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Picture, Question, Stay, TOP};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
 
 impl PointEditor for Editor {
     type Place = Point<2>;
 
-    /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
-    fn edit(&mut self, edit: Edit<Point<2>>) {
-        self.history.change(self.history.now().edited(edit));
-        self.shown.after_edit();
-        self.note = None;
+    fn drawing(&self) -> &Drawing {
+        &self.history.now().drawing
     }
 
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<2>>, Quit> {
@@ -30,16 +26,18 @@ impl PointEditor for Editor {
             longest: 3,
             kind: Number::Whole(0..=largest as i32),
         };
-        let form = Form {
-            captions: vec![
-                Caption { at: (255, 23), text: words::PLACE_ENTRY, color: Color::Black },
-                Caption { at: (315, 15), text: Words("x = ", "x = "), color: Color::LightMagenta },
-                Caption { at: (315, 30), text: Words("y = ", "y = "), color: Color::LightMagenta },
-            ],
-            fields: vec![field(14, FIELD[0]), field(29, FIELD[1])],
-        };
+        let captions = vec![
+            Caption::new((255, 23), words::PLACE_ENTRY),
+            Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
+            Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
+        ];
+        let form = Form::new(captions, vec![field(14, FIELD[0]), field(29, FIELD[1])]);
         let numbers = desk.numbers(self, &form).await?;
         Ok(numbers.map(|numbers| [numbers[0], numbers[1]]))
+    }
+
+    fn edit(&mut self, edit: Edit<Point<2>>) {
+        self.change(self.history.now().edited(edit));
     }
 }
 
@@ -48,19 +46,18 @@ impl Editor {
     pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
         match letter {
             'B' => insert(self, desk).await?,
-            'V' => change(self, desk).await?,
+            'V' => self.change_point(desk).await?,
             'T' => delete(self, desk).await?,
             'G' => self.choose_curve(desk).await?,
             'E' => self.show_result(desk).await?,
+            'A' | 'C' if self.tools == Tools::Beta => {
+                return self.change_shape(desk, letter).await.map(|()| Next::Work);
+            }
             'Q' => return quit(self, desk).await,
-            _ => {}
+            _ => return Ok(Next::Work),
         }
+        self.offer_tangents = true;
         Ok(Next::Work)
-    }
-
-    /// How many points there are.
-    fn count(&self) -> usize {
-        self.history.now().points().len()
     }
 
     async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
@@ -69,21 +66,39 @@ impl Editor {
             return Ok(());
         }
         self.stage = Stage::Choosing;
-        self.note = None;
+        self.forget_note();
         let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
-        let Some(method) = ask_method(desk, self).await? else { return Ok(()) };
+        let method = match self.tools {
+            Tools::Methods => ask_method(desk, self).await?,
+            Tools::Tangents => Some(Method::Coons { k0: self.k0 }),
+            Tools::Beta => Some(self.history.now().shape.method()),
+        };
+        let Some(method) = method else { return Ok(()) };
         let choice = Choice { closure, method };
-        match curves::pixels(choice, self.history.now().points()) {
-            Ok(_) => {
-                self.shown.take(Some(choice));
-                if let Method::Coons { k0 } = method {
-                    self.k0 = k0;
-                    self.note = Some(format!("k0 = {k0:.2}"));
-                }
-            }
-            Err(error) => desk.tell(words::plain(&error), Stay::UntilRead),
+        if let Err(error) = curves::pixels(self.tools, choice, self.history.now()) {
+            desk.tell(words::no_curve(&error), Stay::UntilRead);
+            return Ok(());
+        }
+        self.shown.take(Some(choice));
+        if let (Tools::Methods, Method::Coons { k0 }) = (self.tools, method) {
+            self.k0 = k0;
+            self.note = Some(format!("k0 = {k0:.2}"));
         }
         Ok(())
+    }
+
+    /// The command V; where there are tangents, it asks first what of the point changes.
+    async fn change_point(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        if self.tools != Tools::Tangents {
+            return change(self, desk).await;
+        }
+        let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
+        let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
+        match desk.ask(self, &what).await? {
+            Some(Answer::First) => change_at(self, desk, index).await,
+            Some(Answer::Second) => self.change_tangent(desk, index).await,
+            None => Ok(()),
+        }
     }
 
     /// Shows the curve without its surroundings until Esc.
@@ -97,50 +112,9 @@ impl Editor {
         let Some(answer) = answer else { return Ok(()) };
         self.stage = Stage::Result { points: answer == Answer::First };
         while !desk.event(self).await?.pressed(Key::Esc) {}
-        self.shown.visible = true;
-        self.note = None;
+        // As in the original, the curve is gone from the editor's picture after this.
+        self.shown.after_change();
+        self.forget_note();
         Ok(())
-    }
-
-    /// Chooses which curves are shown together, each in its colour.
-    pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
-        let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
-        loop {
-            let compared = self.compared.clone();
-            let draw = |screen: &mut Screen, language: Language| {
-                self.draw(screen, language);
-                crate::ui::page(screen, TOP);
-                for (index, (kind, name, color)) in (0..).zip(Kind::ALL) {
-                    let (x, y) = place(index);
-                    if compared.contains(&kind) {
-                        screen.bar(x + 16, y, x + 28, y + 7, color);
-                    }
-                    screen.text(x, y, &(index + 1).to_string(), Color::Red);
-                    screen.text(x + 34, y, name, Color::Black);
-                }
-                screen.text(332, 35, words::ENTER_BACK.of(language), Color::Black);
-            };
-            let tick = desk.event(&draw).await?;
-            let clicked = tick.click().and_then(|(x, y)| {
-                (0..).zip(Kind::ALL).position(|(index, _)| {
-                    let (left, top) = place(index);
-                    Area::new(left - 2, top - 3, left + 112, top + 10).holds(x, y)
-                })
-            });
-            let typed = tick
-                .letter()
-                .and_then(|letter| letter.to_digit(10))
-                .and_then(|digit| (digit as usize).checked_sub(1));
-            match clicked.or(typed).and_then(|index| Kind::ALL.get(index)) {
-                Some(&(kind, ..)) if self.compared.contains(&kind) => {
-                    self.compared.retain(|&other| other != kind)
-                }
-                Some(&(kind, ..)) => self.compared.push(kind),
-                None if matches!(tick.key(), Some(Key::Enter | Key::Esc | Key::F(4))) => {
-                    return Ok(());
-                }
-                None => {}
-            }
-        }
     }
 }

@@ -1,8 +1,11 @@
 //! Which curves the editor draws through the control points, and as what pixels.
 
 use super::layout::to_screen;
-use crate::editor::choice::Choice;
-use crate::geometry::{GeometryError, Method, Point};
+use super::sketch::Sketch;
+use super::tools::Tools;
+use crate::editor::beta;
+use crate::editor::choice::{BETA_STEPS, Choice};
+use crate::geometry::{Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
 
@@ -39,14 +42,44 @@ impl Kind {
     }
 }
 
-/// The pixels of a curve, or why there is none.
-pub(super) fn pixels(choice: Choice, points: &[Point<2>]) -> Result<Vec<(i32, i32)>, GeometryError> {
-    Ok(choice.polyline(points)?.into_iter().map(to_screen).collect())
+/// A curve as pixels: the line, and where its spans join if the program marks that.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pixels {
+    pub(super) line: Vec<(i32, i32)>,
+    pub(super) joints: Vec<(i32, i32)>,
 }
 
-/// Draws a curve with a thick line; one that does not exist draws nothing.
-pub(super) fn draw(screen: &mut Screen, choice: Choice, points: &[Point<2>], color: Color) {
-    if let Ok(pixels) = pixels(choice, points) {
-        screen.polyline(&pixels, Stroke::thick(color));
+/// Steps that a span with given tangents is drawn in.
+const TANGENT_STEPS: usize = 20;
+
+/// The curve that a program draws for a choice, or why there is none.
+pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pixels, GeometryError> {
+    let closure = choice.closure;
+    match (tools, &sketch.tangents, &sketch.joints) {
+        (Tools::Tangents, Some(tangents), _) => {
+            let curve = Curve::Piecewise(hermite_arcs(closure, sketch.points(), tangents)?);
+            Ok(Pixels { line: screen_line(&curve.polyline(TANGENT_STEPS)?), joints: Vec::new() })
+        }
+        (Tools::Beta, _, Some(joints)) => {
+            let curve = VaryingBeta::new(closure, sketch.points(), joints)?;
+            let points = (0..curve.spans()).flat_map(|span| curve.span_points(span, BETA_STEPS));
+            Ok(Pixels { line: points.map(to_screen).collect(), joints: screen_line(&curve.joints()) })
+        }
+        (Tools::Beta, ..) => {
+            let choice = Choice { closure, method: sketch.shape.method() };
+            let joints = beta::joints(&choice.curve(sketch.points())?, closure);
+            Ok(Pixels { line: screen_line(&choice.polyline(sketch.points())?), joints: screen_line(&joints) })
+        }
+        _ => Ok(Pixels { line: screen_line(&choice.polyline(sketch.points())?), joints: Vec::new() }),
     }
+}
+
+fn screen_line(points: &[Point<2>]) -> Vec<(i32, i32)> {
+    points.iter().copied().map(to_screen).collect()
+}
+
+/// Draws a curve with a thick line and its joints with small discs.
+pub(super) fn draw(screen: &mut Screen, pixels: &Pixels, color: Color) {
+    screen.polyline(&pixels.line, Stroke::thick(color));
+    pixels.joints.iter().for_each(|&joint| beta::draw_joint(screen, joint));
 }

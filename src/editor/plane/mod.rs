@@ -1,20 +1,32 @@
 //! The editor of plane curves: control points on a grid, taken out of the store, dragged, numbered,
-//! inserted and deleted, and the curves through them (chapters 2.3.1 to 2.3.3 and 2.3.5 to 2.3.7).
+//! inserted and deleted, and the curves through them (chapters 2.3.1 to 2.3.3 and 2.3.5 to 2.3.8).
+//!
+//! Three programs are this editor with [`Tools`] of their own.
 
 mod commands;
+mod compare;
 mod curves;
+mod files;
+mod joints;
 mod layout;
 mod picture;
+mod sketch;
+mod tangents;
+mod tools;
+
+pub use files::{check, with_twin};
+pub use sketch::Sketch;
+pub use tools::Tools;
 
 use super::History;
-use super::choice::{COMMANDS, Shown};
+use super::choice::{COMMANDS, FEWEST, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit, Place};
-use crate::file::{Document, Format, PlanePoints};
+use crate::file::{Document, Format};
 use crate::geometry::{Closure, Point};
-use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
+use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{Desk, KeyHelp, Manual, Stay, Words};
+use crate::ui::{Desk, Manual, Stay, Words};
 use curves::Kind;
 use layout::{STORE_AT, to_field, to_screen};
 use serde::Serialize;
@@ -35,33 +47,54 @@ enum Stage {
     Result { points: bool },
 }
 
-/// A point under the mouse.
+/// What the mouse can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Handle {
+    /// A control point; the one behind the last is the store's.
+    Point(usize),
+    /// The tip of the tangent at a point.
+    Tip(usize),
+}
+
+/// Something under the mouse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Held {
-    /// Which one; the store's counts as the one behind the last.
-    index: usize,
+    handle: Handle,
     /// Where it is held, in field coordinates.
     at: Point<2>,
 }
 
 /// The editor's whole state.
 struct Editor {
-    history: History<Drawing>,
+    tools: Tools,
+    history: History<Sketch>,
     shown: Shown,
     /// Curves that are shown besides the chosen one.
     compared: Vec<Kind>,
-    /// The coefficient of the Coons-Hermite tangents.
+    /// The coefficient of the automatic tangents.
     k0: f64,
     held: Option<Held>,
     stage: Stage,
-    /// What the communication page says between two questions.
+    /// What the screen says about the last choice until the next question.
     note: Option<String>,
+    /// Whether something happened after which the original offers automatic tangents.
+    offer_tangents: bool,
+    /// Whether a JSON file with what the DOS format cannot hold belongs to the configuration.
+    has_json: bool,
+    /// What reading a file had to say although it could be read.
+    remark: Option<Words>,
 }
 
 /// The model as `dump` writes it.
 #[derive(Serialize)]
 struct Model {
     points: Vec<Point<2>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangents: Option<Vec<Point<2>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    joints: Option<Vec<crate::geometry::Shape>>,
+    bias: f64,
+    tension: f64,
     method: Option<&'static str>,
     closed: Option<bool>,
     k0: f64,
@@ -70,69 +103,61 @@ struct Model {
     unsaved: bool,
 }
 
-/// The keys of the editor for its help page; a program adds none.
-pub const KEYS: &[KeyHelp] = &[
-    (Words("egér", "mouse"), words::HELP_DRAG),
-    (Words("B", "B"), words::HELP_INSERT),
-    (Words("V", "V"), words::HELP_CHANGE),
-    (Words("T", "T"), words::HELP_DELETE),
-    (Words("G 1-4", "G 1-4"), words::HELP_CURVE),
-    (Words("E", "E"), words::HELP_RESULT),
-    (Words("Q", "Q"), words::HELP_QUIT),
-    (Words("F3", "F3"), words::HELP_FOLLOW),
-    (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE),
-    (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE),
-];
-
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
 /// [`Quit`] when the display is being closed and nothing is left to save.
-pub async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Result<(), Quit> {
-    configuration::run(Editor::new(), &mut Desk::new(machine, manual), document).await
-}
-
-/// Whether the editor can work with a document; else why not.
-///
-/// # Errors
-/// The reason, in both languages.
-pub fn check(document: &Document) -> Result<(), Phrase> {
-    drawing_of(document).map(|_| ())
-}
-
-fn drawing_of(document: &Document) -> Result<Drawing, Phrase> {
-    let Document::PlanePoints(PlanePoints { points, .. }) = document else {
-        return Err(words::WRONG_CONTENT.into());
-    };
-    Drawing::new(points.clone()).ok_or(words::OUTSIDE_FIELD.into())
+pub async fn run(
+    machine: &mut Machine,
+    manual: Manual,
+    tools: Tools,
+    document: Option<Document>,
+) -> Result<(), Quit> {
+    configuration::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
 }
 
 impl Configuration for Editor {
-    const FORMAT: Format = Format::Ip2;
-    type Value = Drawing;
+    type Value = Sketch;
 
-    fn history(&mut self) -> &mut History<Drawing> {
+    fn format(&self) -> Format {
+        self.tools.format()
+    }
+
+    fn history(&mut self) -> &mut History<Sketch> {
         &mut self.history
     }
 
     fn reset(&mut self) {
+        // The buttons stay on the screen once they are there.
         let first = self.stage == Stage::Starting { buttons: false };
         self.stage = Stage::Starting { buttons: !first };
-        self.load(Drawing::default());
+        self.load(self.empty());
     }
 
     fn open(&mut self, document: &Document) -> Result<(), Phrase> {
-        self.load(drawing_of(document)?);
-        Ok(())
+        self.open_document(document)
     }
 
     fn document(&self) -> Document {
-        Document::PlanePoints(PlanePoints::new(self.history.now().points().to_vec()))
+        self.as_document()
+    }
+
+    fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
+        self.read_files(storage, name)
+    }
+
+    fn files(&self, name: &str) -> Result<Vec<(String, Vec<u8>)>, Phrase> {
+        self.as_files(name)
     }
 
     fn model(&self) -> impl Serialize + 'static {
+        let sketch = self.history.now();
         Model {
-            points: self.history.now().points().to_vec(),
+            points: sketch.points().to_vec(),
+            tangents: sketch.tangents.clone(),
+            joints: sketch.joints.clone(),
+            bias: sketch.shape.bias,
+            tension: sketch.shape.tension,
             method: self.shown.choice.map(|choice| choice.method.name()),
             closed: self.shown.choice.map(|choice| choice.closure == Closure::Closed),
             k0: self.k0,
@@ -144,8 +169,14 @@ impl Configuration for Editor {
 
     async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
         self.held = None;
+        if let Some(remark) = self.remark.take() {
+            desk.tell(remark, Stay::UntilRead);
+        }
         loop {
             self.stage = Stage::Working;
+            if std::mem::take(&mut self.offer_tangents) {
+                self.offer_automatic_tangents(desk).await?;
+            }
             let tick = event(self, desk).await?;
             if self.held.is_some() {
                 self.drag(desk, &tick);
@@ -156,26 +187,41 @@ impl Configuration for Editor {
                 if next != Next::Work {
                     return Ok(next);
                 }
-            } else if tick.pressed(Key::F(3)) {
-                self.shown.toggle_follow(desk);
-            } else if tick.pressed(Key::F(4)) {
-                self.compare(desk).await?;
+            } else if let Some(Key::F(number)) = tick.key() {
+                self.function_key(desk, number).await?;
             }
         }
     }
 }
 
 impl Editor {
-    fn new() -> Editor {
-        Editor {
-            history: History::new(Drawing::default()),
+    fn new(tools: Tools) -> Editor {
+        let mut editor = Editor {
+            tools,
+            history: History::new(Sketch::default()),
             shown: Shown::default(),
             compared: Vec::new(),
             k0: 0.5,
             held: None,
             stage: Stage::Starting { buttons: false },
             note: None,
-        }
+            offer_tangents: false,
+            has_json: false,
+            remark: None,
+        };
+        editor.load(editor.empty());
+        editor
+    }
+
+    /// A sketch without points; the common shape survives, as in the original.
+    fn empty(&self) -> Sketch {
+        let tangents = (self.tools == Tools::Tangents).then(Vec::new);
+        Sketch { tangents, shape: self.history.now().shape, ..Sketch::default() }
+    }
+
+    /// How many points there are.
+    fn count(&self) -> usize {
+        self.history.now().points().len()
     }
 
     /// The form of the curves: that of the chosen one, else open.
@@ -183,30 +229,65 @@ impl Editor {
         self.shown.choice.map_or(Closure::Open, |choice| choice.closure)
     }
 
-    /// Takes up a drawing that needs no saving.
-    fn load(&mut self, drawing: Drawing) {
-        self.history = History::new(drawing);
+    /// Takes up a sketch that needs no saving.
+    fn load(&mut self, sketch: Sketch) {
+        self.history = History::new(sketch);
         self.shown.take(None);
         self.held = None;
         self.note = None;
+        self.has_json = false;
+        self.remark = None;
+        self.offer_tangents = self.tools == Tools::Tangents && self.count() >= FEWEST;
+    }
+
+    /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
+    fn change(&mut self, sketch: Sketch) {
+        self.history.change(sketch);
+        self.shown.after_edit();
+        self.forget_note();
+    }
+
+    /// Takes away what the communication page says; beside it, the coefficient of tangents stays.
+    fn forget_note(&mut self) {
+        if self.tools != Tools::Tangents {
+            self.note = None;
+        }
+    }
+
+    async fn function_key(&mut self, desk: &mut Desk<'_>, number: u8) -> Result<(), Quit> {
+        match (number, self.tools) {
+            (3, _) => self.shown.toggle_follow(desk),
+            (4, Tools::Methods) => self.compare(desk).await?,
+            (5, Tools::Beta) => self.change_joint(desk).await?,
+            (6, Tools::Beta) => self.make_joints_alike(desk),
+            _ => {}
+        }
+        Ok(())
     }
 
     /// The command letter of a key or of a click on a button; a click on a disc takes it up.
     fn command(&mut self, tick: &Tick) -> Option<char> {
-        if let Some((x, y)) = tick.click() {
-            if let Some(index) = self.point_at(x, y) {
-                let points = self.history.now().points();
-                let at = points.get(index).copied().unwrap_or(STORE_AT);
-                self.held = Some(Held { index, at });
-                return None;
-            }
-            return COMMANDS.iter().find(|button| button.hit(x, y)).map(|button| button.text.letter);
+        let Some((x, y)) = tick.click() else { return tick.letter() };
+        if let Some(handle) = self.handle_at(x, y) {
+            self.held = Some(Held { handle, at: self.place(handle) });
+            return None;
         }
-        tick.letter()
+        let mut buttons = COMMANDS.iter().chain(self.tools.buttons());
+        buttons.find(|button| button.hit(x, y)).map(|button| button.text.letter)
     }
 
-    /// Follows the mouse with the point that it holds, and drops it.
+    /// Where a handle is, in field coordinates.
+    fn place(&self, handle: Handle) -> Point<2> {
+        let sketch = self.history.now();
+        match handle {
+            Handle::Point(index) => sketch.points().get(index).copied().unwrap_or(STORE_AT),
+            Handle::Tip(index) => sketch.tip(index).unwrap_or(STORE_AT),
+        }
+    }
+
+    /// Follows the mouse with what it holds, and drops it.
     fn drag(&mut self, desk: &mut Desk<'_>, tick: &Tick) {
+        let count = self.count();
         let Some(held) = &mut self.held else { return };
         match tick.event {
             Some(Event::Move(..)) => {
@@ -218,27 +299,30 @@ impl Editor {
                 }
             }
             Some(Event::Release(Button::Left)) => {
-                if held.index == self.history.now().points().len() && self.history.now().full() {
+                if self.history.now().drawing.full() && held.handle == Handle::Point(count) {
                     desk.tell(words::FULL, Stay::Briefly);
                 }
                 self.history.change(self.preview());
                 self.held = None;
                 self.shown.after_change();
+                self.forget_note();
+                self.offer_tangents = true;
             }
             Some(Event::Key(Key::Esc)) => self.held = None,
             _ => {}
         }
     }
 
-    /// The drawing as it would be if the held point were dropped now: outside the field it goes.
-    fn preview(&self) -> Drawing {
+    /// The sketch as it would be if what is held were dropped now: a point outside the field goes.
+    fn preview(&self) -> Sketch {
         let now = self.history.now();
-        let Some(held) = self.held else { return now.clone() };
-        match (held.index < now.points().len(), held.at.fits()) {
-            (true, true) => now.edited(Edit::Move(held.index, held.at)),
-            (true, false) => now.edited(Edit::Delete(held.index)),
-            (false, true) => now.edited(Edit::Insert(held.index, held.at)),
-            (false, false) => now.clone(),
+        let Some(Held { handle, at }) = self.held else { return now.clone() };
+        match (handle, at.fits()) {
+            (Handle::Point(index), true) if index < self.count() => now.edited(Edit::Move(index, at)),
+            (Handle::Point(index), false) if index < self.count() => now.edited(Edit::Delete(index)),
+            (Handle::Point(index), true) => now.edited(Edit::Insert(index, at)),
+            (Handle::Point(_), false) => now.clone(),
+            (Handle::Tip(index), _) => now.with_tip(index, at),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use super::curves::{self, Kind};
 use super::layout::{STORE_AT, control_point, grid, on_disc, surroundings};
-use super::{Editor, Stage};
-use crate::editor::choice::{COMMANDS, Choice, METHODS};
+use super::{Editor, Handle, Stage, Tools, tangents};
+use crate::editor::beta;
+use crate::editor::choice::{COMMANDS, Choice};
 use crate::editor::field::ground;
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
@@ -42,31 +43,51 @@ impl Editor {
         self.draw_points(screen);
         surroundings(screen);
         page(screen, TOP);
-        if let Some(note) = &self.note {
-            screen.text(262, 23, note, Color::Black);
-        } else {
-            self.draw_legend(screen, 216, 10);
-        }
         if stage == (Stage::Starting { buttons: false }) {
             return;
         }
-        let title = if stage == Stage::Choosing { Color::LightMagenta } else { Color::Black };
-        screen.text(28, 5, words::METHOD_TITLE.of(language), title);
-        COMMANDS.iter().chain(&METHODS).for_each(|button| button.draw(screen, language));
+        self.draw_title(screen, language);
+        COMMANDS.iter().chain(self.tools.buttons()).for_each(|button| button.draw(screen, language));
+    }
+
+    /// What stands left of the communication page and on it.
+    fn draw_title(&self, screen: &mut Screen, language: Language) {
+        let note = self.note.as_deref().unwrap_or("");
+        match self.tools {
+            Tools::Methods => {
+                let chosen = self.stage == Stage::Choosing;
+                let color = if chosen { Color::LightMagenta } else { Color::Black };
+                screen.text(28, 5, words::METHOD_TITLE.of(language), color);
+                screen.text(262, 23, note, Color::Black);
+                if note.is_empty() {
+                    self.draw_legend(screen, 216, 10);
+                }
+            }
+            Tools::Tangents => {
+                screen.text(20, 20, words::COONS_TITLE.of(language), Color::Black);
+                screen.text(65, 43, note, Color::Black);
+            }
+            Tools::Beta => beta::draw_values(screen, self.history.now().shape, language),
+        }
     }
 
     /// The chosen curve and those that it is compared with, through the points as they would be if a
     /// dragged one were dropped now.
     fn draw_curves(&self, screen: &mut Screen) {
-        let drawing = self.preview();
+        let sketch = self.preview();
+        let mut draw = |choice: Choice, color: Color| {
+            // A curve that does not exist is not drawn; it was told when it was chosen.
+            if let Ok(pixels) = curves::pixels(self.tools, choice, &sketch) {
+                curves::draw(screen, &pixels, color);
+            }
+        };
         let closure = self.closure();
         for (kind, _, color) in Kind::ALL.into_iter().filter(|(kind, ..)| self.compared.contains(kind)) {
-            let choice = Choice { closure, method: kind.method(self.k0) };
-            curves::draw(screen, choice, drawing.points(), color);
+            draw(Choice { closure, method: kind.method(self.k0) }, color);
         }
         let shown = self.shown.visible || matches!(self.stage, Stage::Result { .. });
         if let Some(choice) = self.shown.choice.filter(|_| shown) {
-            curves::draw(screen, choice, drawing.points(), Color::White);
+            draw(choice, Color::White);
         }
     }
 
@@ -82,26 +103,35 @@ impl Editor {
         }
     }
 
-    /// The control points with their numbers, and the next one in the store.
+    /// The tangents, the control points with their numbers, and the next one in the store.
     fn draw_points(&self, screen: &mut Screen) {
-        let points = self.history.now().points();
-        let held_point = |index| self.held.filter(|held| held.index == index).map(|held| held.at);
-        for (index, &point) in points.iter().enumerate() {
-            control_point(screen, held_point(index).unwrap_or(point), index + 1);
+        let sketch = self.history.now();
+        let held_at = |handle| self.held.filter(|held| held.handle == handle).map(|held| held.at);
+        for (index, &point) in sketch.points().iter().enumerate() {
+            if let Some(tip) = held_at(Handle::Tip(index)).or(sketch.tip(index)) {
+                tangents::draw(screen, point, tip);
+            }
         }
-        let stored = !matches!(self.stage, Stage::Starting { .. } | Stage::Result { .. })
-            && !self.history.now().full();
-        if stored {
-            control_point(screen, held_point(points.len()).unwrap_or(STORE_AT), points.len() + 1);
+        for (index, &point) in sketch.points().iter().enumerate() {
+            control_point(screen, held_at(Handle::Point(index)).unwrap_or(point), index + 1);
         }
+        let stored = !matches!(self.stage, Stage::Starting { .. } | Stage::Result { .. });
+        if stored && !sketch.drawing.full() {
+            let at = held_at(Handle::Point(self.count())).unwrap_or(STORE_AT);
+            control_point(screen, at, self.count() + 1);
+        }
+        self.draw_joint_shapes(screen);
     }
 
-    /// The point whose disc lies on top at a pixel; the store counts as the point behind the last one.
-    pub(super) fn point_at(&self, x: i32, y: i32) -> Option<usize> {
-        let points = self.history.now().points();
-        if !self.history.now().full() && on_disc(STORE_AT, (x, y)) {
-            return Some(points.len());
+    /// What lies on top at a pixel: points before tips; the store's point is the one behind the last.
+    pub(super) fn handle_at(&self, x: i32, y: i32) -> Option<Handle> {
+        let sketch = self.history.now();
+        if !sketch.drawing.full() && on_disc(STORE_AT, (x, y)) {
+            return Some(Handle::Point(self.count()));
         }
-        points.iter().rposition(|&point| on_disc(point, (x, y)))
+        let point = sketch.points().iter().rposition(|&point| on_disc(point, (x, y)));
+        let on_tip = |&index: &usize| sketch.tip(index).is_some_and(|tip| tangents::on_tip(tip, (x, y)));
+        let tip = || (0..self.count()).rev().find(on_tip);
+        point.map(Handle::Point).or_else(|| tip().map(Handle::Tip))
     }
 }

@@ -1,12 +1,12 @@
 //! The commands of the space editor that ask for something.
 
-use super::{Editor, Stage, Tools};
-use crate::editor::beta::{Shape, ask_bias, ask_tension};
+use super::{Drawing, Editor, Stage, Tools};
+use crate::editor::beta::{ask_bias, ask_tension};
 use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_method};
 use crate::editor::configuration::{Next, event, quit};
 use crate::editor::drawing::Edit;
 use crate::editor::points::{PointEditor, change, delete, insert};
-use crate::geometry::{Method, Point};
+use crate::geometry::{Method, Point, Shape};
 use crate::machine::{Key, Quit};
 use crate::screen::Color;
 use crate::ui::words::{self, Phrase, Words};
@@ -18,6 +18,10 @@ const COORDINATES: std::ops::RangeInclusive<i32> = -999..=9999;
 impl PointEditor for Editor {
     type Place = Point<3>;
 
+    fn drawing(&self) -> &Drawing {
+        self.history.now()
+    }
+
     /// Carries out an edit by number. As in the original the curve goes, unless it shall follow.
     fn edit(&mut self, edit: Edit<Point<3>>) {
         self.history.change(self.history.now().edited(edit));
@@ -27,15 +31,15 @@ impl PointEditor for Editor {
 
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<3>>, Quit> {
         let axes = [(215, Words("x = ", "x = ")), (295, Words("y = ", "y = ")), (375, Words("z = ", "z = "))];
-        let title = Caption { at: (300, 13), text: words::PLACE_3D, color: Color::Black };
-        let names = axes.map(|(x, text)| Caption { at: (x, 30), text, color: Color::LightMagenta });
+        let title = Caption::new((300, 13), words::PLACE_3D);
+        let names = axes.map(|(x, text)| Caption::new((x, 30), text).colored(Color::LightMagenta));
         let fields = axes.map(|(x, _)| Field {
             area: Area::new(x + 27, 27, x + 65, 39),
             at: (x + 31, 30),
             longest: 4,
             kind: Number::Whole(COORDINATES),
         });
-        let form = Form { captions: [title].into_iter().chain(names).collect(), fields: fields.to_vec() };
+        let form = Form::new([title].into_iter().chain(names).collect(), fields.to_vec());
         let numbers = desk.numbers(self, &form).await?;
         Ok(numbers.map(|numbers| [numbers[0], numbers[1], numbers[2]]))
     }

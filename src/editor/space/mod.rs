@@ -7,13 +7,13 @@ mod look;
 mod picture;
 
 use super::History;
-use super::beta::{BUTTONS, Shape};
+use super::beta::BUTTONS;
 use super::choice::{COMMANDS, METHODS, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit};
 use super::field::PICTURE;
 use crate::file::{Document, Format, SpacePoints};
-use crate::geometry::{Closure, Point};
+use crate::geometry::{Closure, Point, Shape};
 use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Desk, KeyHelp, Manual, Words};
@@ -177,8 +177,11 @@ fn drawing_of(document: &Document) -> Result<Drawing, Phrase> {
 }
 
 impl Configuration for Editor {
-    const FORMAT: Format = Format::Ip3;
     type Value = Drawing;
+
+    fn format(&self) -> Format {
+        Format::Ip3
+    }
 
     fn history(&mut self) -> &mut History<Drawing> {
         &mut self.history

@@ -1,0 +1,128 @@
+//! The tangents of GB_2D_CH: their tips on the screen, their length and direction by number, and the
+//! automatic ones that the original offers after every action.
+
+use super::layout::to_screen;
+use super::{Editor, Sketch, Tools};
+use crate::editor::choice::{FEWEST, ask_closure, ask_coefficient};
+use crate::geometry::{Closure, Point, automatic_tangents};
+use crate::machine::Quit;
+use crate::screen::{Color, Screen, Stroke};
+use crate::ui::words::{self, Words};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
+
+/// Radius of the disc at the tip of a tangent in pixels.
+const TIP_RADIUS: i32 = 7;
+
+impl Sketch {
+    /// The tip of the tangent at a point: half the vector away from it.
+    pub(super) fn tip(&self, index: usize) -> Option<Point<2>> {
+        let ([x, y], [dx, dy]) = (*self.points().get(index)?, self.tangent(index)?);
+        Some([x + (dx / 2.0).round_ties_even(), y + (dy / 2.0).round_ties_even()])
+    }
+
+    /// The sketch with the tip of a tangent at another place.
+    pub(super) fn with_tip(&self, index: usize, tip: Point<2>) -> Sketch {
+        match self.points().get(index) {
+            Some(point) => self.with_tangent(index, [2.0 * (tip[0] - point[0]), 2.0 * (tip[1] - point[1])]),
+            None => self.clone(),
+        }
+    }
+}
+
+/// Draws a tangent: dotted from the tip to its mirror image, with a disc at the tip.
+pub(super) fn draw(screen: &mut Screen, point: Point<2>, tip: Point<2>) {
+    let ((x, y), (tip_x, tip_y)) = (to_screen(point), to_screen(tip));
+    let stroke = Stroke::thin(Color::White).dotted();
+    screen.line(tip_x, tip_y, 2 * x - tip_x, 2 * y - tip_y, stroke);
+    screen.disc(tip_x, tip_y, TIP_RADIUS, Color::DarkGray, Color::White);
+}
+
+/// Whether a pixel lies on the disc of a tip.
+pub(super) fn on_tip(tip: Point<2>, (x, y): (i32, i32)) -> bool {
+    let (tip_x, tip_y) = to_screen(tip);
+    (x - tip_x).pow(2) + (y - tip_y).pow(2) <= TIP_RADIUS.pow(2)
+}
+
+impl Editor {
+    /// Asks whether the tangents shall be computed, as the original does after every action.
+    pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        if self.tools != Tools::Tangents || self.count() < FEWEST {
+            return Ok(());
+        }
+        let question = Question::new(TOP, words::ASK_AUTOMATIC, [words::YES, words::NO]);
+        if desk.ask(self, &question).await? != Some(Answer::First) {
+            return Ok(());
+        }
+        let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
+        let Some(k0) = ask_coefficient(desk, self).await? else { return Ok(()) };
+        self.k0 = k0;
+        self.shown.after_change();
+        let Ok(sketch) = self.with_automatic_tangents(self.history.now(), closure) else {
+            desk.tell(words::TOO_FEW, Stay::Briefly);
+            return Ok(());
+        };
+        self.history.change(sketch);
+        self.note = Some(format!("k0 = {k0:.2}"));
+        Ok(())
+    }
+
+    /// A sketch with the tangents that its points give, in whole numbers as the files hold them.
+    pub(super) fn with_automatic_tangents(
+        &self,
+        sketch: &Sketch,
+        closure: Closure,
+    ) -> Result<Sketch, crate::geometry::GeometryError> {
+        let tangents = automatic_tangents(closure, self.k0, sketch.points())?;
+        let rounded = tangents.into_iter().map(|tangent| tangent.map(f64::round_ties_even)).collect();
+        Ok(Sketch { tangents: Some(rounded), ..sketch.clone() })
+    }
+
+    /// Changes the length or the direction of the tangent at a point.
+    pub(super) async fn change_tangent(&mut self, desk: &mut Desk<'_>, index: usize) -> Result<(), Quit> {
+        let Some(tangent) = self.history.now().tangent(index) else { return Ok(()) };
+        let question = Question::new(TOP, words::ASK_CHANGE, [words::LENGTH, words::ANGLE]);
+        let Some(answer) = desk.ask(self, &question).await? else { return Ok(()) };
+        let changed = match answer {
+            Answer::First => self.ask_length(desk, tangent).await?,
+            Answer::Second => self.ask_angle(desk, tangent).await?,
+        };
+        if let Some(tangent) = changed {
+            self.change(self.history.now().with_tangent(index, tangent.map(f64::round_ties_even)));
+        }
+        Ok(())
+    }
+
+    async fn ask_length(&self, desk: &mut Desk<'_>, [x, y]: Point<2>) -> Result<Option<Point<2>>, Quit> {
+        let length = x.hypot(y);
+        let form = tangent_form(words::TANGENT_LENGTH, (212, 30), length.round(), 999);
+        let Some(numbers) = desk.numbers(self, &form).await? else { return Ok(None) };
+        let factor = numbers[0] / length;
+        // A tangent without a direction gets one to the right.
+        Ok(Some(if length < 1.0 { [numbers[0], 0.0] } else { [x * factor, y * factor] }))
+    }
+
+    async fn ask_angle(&self, desk: &mut Desk<'_>, [x, y]: Point<2>) -> Result<Option<Point<2>>, Quit> {
+        let degrees = y.atan2(x).to_degrees().round().rem_euclid(360.0);
+        let mut form = tangent_form(words::TANGENT_ANGLE, (276, 20), degrees, 359);
+        form.ornament = |screen| {
+            screen.circle(245, 26, 8, Stroke::thin(Color::Black));
+            let labels = [(256, 22, "0"), (212, 22, "180"), (239, 9, "90"), (235, 36, "270"), (380, 27, "°")];
+            labels.into_iter().for_each(|(x, y, text)| screen.text(x, y, text, Color::Black));
+        };
+        let Some(numbers) = desk.numbers(self, &form).await? else { return Ok(None) };
+        let (sine, cosine) = numbers[0].to_radians().sin_cos();
+        let length = x.hypot(y);
+        Ok(Some([length * cosine, length * sine]))
+    }
+}
+
+/// The page that asks for a whole number from 0 on and says what it is now.
+fn tangent_form(title: Words, now_at: (i32, i32), now: f64, largest: i32) -> Form {
+    let captions = vec![
+        Caption::new((285, 10), title),
+        Caption::new(now_at, words::now_it_is(now)),
+        Caption::new((316, 30), words::NEW_VALUE),
+    ];
+    let kind = Number::Whole(0..=largest);
+    Form::new(captions, vec![Field { area: Area::new(340, 27, 378, 39), at: (348, 30), longest: 3, kind }])
+}

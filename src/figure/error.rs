@@ -1,0 +1,66 @@
+//! What can be wrong with a picture, in sentences.
+
+use crate::geometry::COORDINATE_LIMIT;
+use std::fmt;
+
+/// Why a picture cannot be written. Items of a kind are counted from 1 in the order of adding.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FigureError {
+    /// A coordinate is NaN, infinite or beyond [`COORDINATE_LIMIT`].
+    Coordinate {
+        /// The item and its part, as in "curve 1, arc 3".
+        item: String,
+        /// The coordinate.
+        value: f64,
+    },
+    /// A width, radius or dash is out of its range.
+    Style {
+        /// The item, as in "polyline 2".
+        item: String,
+        /// Which size it is.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// What would be right, as the end of a sentence.
+        wanted: &'static str,
+    },
+    /// A width of the picture out of range.
+    Width {
+        /// Pixels asked for.
+        given: u32,
+        /// Pixels at least.
+        least: u32,
+        /// Pixels at most.
+        most: u32,
+    },
+    /// The font or the PNG encoder refused; its own words.
+    Encoding(String),
+}
+
+impl fmt::Display for FigureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Coordinate { item, value } if value.is_finite() => {
+                write!(f, "{item}: coordinate {value:e} is too large; at most {COORDINATE_LIMIT:e}")
+            }
+            Self::Coordinate { item, value } => {
+                write!(f, "{item}: coordinate {value} is not a finite number")
+            }
+            Self::Style { item, name, value, wanted } => {
+                write!(f, "{item}: {name} is {value}, must be {wanted}")
+            }
+            Self::Width { given, least, most } => {
+                write!(f, "a picture {given} pixels wide; must be {least} to {most}")
+            }
+            Self::Encoding(message) => write!(f, "the picture cannot be encoded: {message}"),
+        }
+    }
+}
+
+impl std::error::Error for FigureError {}
+
+impl From<png::EncodingError> for FigureError {
+    fn from(error: png::EncodingError) -> FigureError {
+        FigureError::Encoding(error.to_string())
+    }
+}

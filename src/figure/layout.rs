@@ -1,0 +1,260 @@
+//! Where things stand in a picture: the map from the world to pixels, and the places of letters.
+//!
+//! All sizes here are nominal pixels, y downwards.
+
+use super::picture::{Figure, Item, NOMINAL_WIDTH};
+use crate::geometry::{BoundingBox, CubicBezier, Point};
+
+/// The advance of every letter by the size of the font: 1233 of 2048 units.
+pub(super) const LETTER_WIDTH: f64 = 1233.0 / 2048.0;
+/// Heights above and below the base line that letters take up, by the size of the font.
+const ASCENT: f64 = 0.78;
+const DESCENT: f64 = 0.22;
+
+const TEXT_SIZE: f64 = 15.0;
+const TITLE_SIZE: f64 = 22.0;
+/// Height of the band above the picture that holds the title.
+const TITLE_BAND: f64 = 44.0;
+/// Free room around everything.
+const MARGIN: f64 = 32.0;
+/// The least height of a picture without its title.
+const LEAST_HEIGHT: f64 = 160.0;
+/// Room between a disc and its label.
+const GAP: f64 = 3.0;
+/// Labels times obstacles that are looked at; beyond it, all labels stand at the upper right of their
+/// discs, and nobody could read them anyway.
+const MOST_LOOKS: usize = 4_000_000;
+/// Straight pieces that stand for an arc when labels look for a free place.
+const PIECES: u32 = 8;
+
+/// A rectangle: left, upper, right and lower edge.
+type Area = [f64; 4];
+
+/// A line of letters with its place.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Letters {
+    pub(super) text: String,
+    /// Where the base line begins.
+    pub(super) at: Point<2>,
+    /// Size of the font.
+    pub(super) size: f64,
+}
+
+/// The measures of a picture.
+#[derive(Debug)]
+pub(super) struct Layout {
+    /// Height of the picture, a whole number.
+    pub(super) height: f64,
+    /// Pixels by world unit.
+    pub(super) scale: f64,
+    /// Where the world's origin lies.
+    pub(super) origin: Point<2>,
+    /// The title and all labels and texts.
+    pub(super) letters: Vec<Letters>,
+}
+
+impl Layout {
+    /// Fits a checked figure into its picture.
+    pub(super) fn new(figure: &Figure) -> Layout {
+        let width = f64::from(NOMINAL_WIDTH);
+        let window = window(figure);
+        let margin = MARGIN + figure.items.iter().map(overhang).fold(0.0, f64::max);
+        let room = width - 2.0 * margin;
+        let [across, up] = window.size();
+        // One of both extents is positive.
+        let scale = room / across.max(up);
+        let band = if figure.title.is_some() { TITLE_BAND } else { 0.0 };
+        let height = (band + (up * scale + 2.0 * margin).max(LEAST_HEIGHT)).ceil();
+        let middle: Point<2> = std::array::from_fn(|d| window.min[d] + (window.max[d] - window.min[d]) / 2.0);
+        let origin = [width / 2.0 - scale * middle[0], (height + band) / 2.0 + scale * middle[1]];
+        let mut layout = Layout { height, scale, origin, letters: Vec::new() };
+        let title = figure.title.iter().map(|title| heading(title));
+        layout.letters = title.chain(layout.labels(figure)).collect();
+        layout
+    }
+
+    /// The pixel of a point of the world.
+    pub(super) fn place(&self, [x, y]: Point<2>) -> Point<2> {
+        [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
+    }
+
+    /// The labels of discs, then the texts.
+    fn labels(&self, figure: &Figure) -> Vec<Letters> {
+        let mut taken = Taken { legs: self.legs(figure), areas: self.areas(figure), height: self.height };
+        let labels = figure.items.iter().filter(|item| matches!(item, Item::Disc { label: Some(_), .. }));
+        let looks = labels.count().saturating_mul(taken.legs.len() + taken.areas.len());
+        let choices = if looks > MOST_LOOKS { 1 } else { DIRECTIONS.len() };
+        let mut letters = Vec::new();
+        for item in &figure.items {
+            let text = match item {
+                Item::Disc { at, label: Some(label), .. } => {
+                    let (around, text) = (self.place(*at), printable(label));
+                    let size = [length(&text, TEXT_SIZE), TEXT_SIZE * (ASCENT + DESCENT)];
+                    let areas = DIRECTIONS.map(|way| beside(around, overhang(item) + GAP, size, way));
+                    let area = taken.freest(areas.get(..choices).unwrap_or(&areas));
+                    taken.areas.push(area);
+                    Letters { text, at: [area[0], area[1] + TEXT_SIZE * ASCENT], size: TEXT_SIZE }
+                }
+                Item::Text { at, text } => {
+                    let ([x, y], text) = (self.place(*at), printable(text));
+                    let rightmost = f64::from(NOMINAL_WIDTH) - 4.0 - length(&text, TEXT_SIZE);
+                    Letters { text, at: [x.min(rightmost).max(4.0), y], size: TEXT_SIZE }
+                }
+                _ => continue,
+            };
+            letters.push(text);
+        }
+        letters
+    }
+
+    /// Straight pieces of all lines.
+    fn legs(&self, figure: &Figure) -> Vec<[Point<2>; 2]> {
+        let mut legs = Vec::new();
+        for item in &figure.items {
+            match item {
+                Item::Curve { arcs, .. } => legs.extend(arcs.iter().flat_map(|arc| self.pieces(arc))),
+                Item::Polyline { points, .. } => {
+                    let pairs = points.iter().zip(points.iter().skip(1));
+                    legs.extend(pairs.map(|(&a, &b)| [self.place(a), self.place(b)]));
+                }
+                Item::Disc { .. } | Item::Text { .. } => {}
+            }
+        }
+        legs
+    }
+
+    fn pieces(&self, arc: &CubicBezier<2>) -> impl Iterator<Item = [Point<2>; 2]> {
+        let point = |j: u32| self.place(arc.eval(f64::from(j) / f64::from(PIECES)));
+        (0..PIECES).map(move |j| [point(j), point(j + 1)])
+    }
+
+    /// The squares in all discs: labels may come near their round edges.
+    fn areas(&self, figure: &Figure) -> Vec<Area> {
+        let square = |item: &Item| match item {
+            Item::Disc { at, .. } => {
+                let ([x, y], r) = (self.place(*at), DIAGONAL * overhang(item));
+                Some([x - r, y - r, x + r, y + r])
+            }
+            _ => None,
+        };
+        figure.items.iter().filter_map(square).collect()
+    }
+}
+
+/// How far an item reaches beyond its points.
+fn overhang(item: &Item) -> f64 {
+    match item {
+        Item::Curve { style, .. } | Item::Polyline { style, .. } => style.width / 2.0,
+        Item::Disc { radius, style, .. } => radius + style.stroke.map_or(0.0, |_| style.width / 2.0),
+        Item::Text { .. } => 0.0,
+    }
+}
+
+/// The box of everything, padded so that one of its extents is positive and can be divided by.
+fn window(figure: &Figure) -> BoundingBox<2> {
+    let of_item = |item: &Item| match item {
+        Item::Curve { arcs, .. } => arcs.iter().map(CubicBezier::bounding_box).reduce(BoundingBox::union),
+        Item::Polyline { points, .. } => BoundingBox::of_points(points),
+        Item::Disc { at, .. } | Item::Text { at, .. } => Some(BoundingBox::of_point(*at)),
+    };
+    let all = figure.items.iter().filter_map(of_item).reduce(BoundingBox::union);
+    let window = all.unwrap_or(BoundingBox { min: [0.0; 2], max: [1.0; 2] });
+    let largest = window.min.iter().chain(&window.max).fold(0.0_f64, |m, x| m.max(x.abs()));
+    let extent = window.size().iter().fold(0.0_f64, |m, x| m.max(*x));
+    // Smaller extents hold rounding only; the smallest numbers have no finite reciprocal.
+    if extent > (1e-14 * largest).max(1e-150) {
+        return window;
+    }
+    let pad = if largest > 1e-150 { 0.5 * largest } else { 0.5 };
+    BoundingBox { min: window.min.map(|x| x - pad), max: window.max.map(|x| x + pad) }
+}
+
+/// The title in the middle of its band, smaller if it is long.
+fn heading(title: &str) -> Letters {
+    let (text, width) = (printable(title), f64::from(NOMINAL_WIDTH));
+    let size = TITLE_SIZE * (0.95 * width / length(&text, TITLE_SIZE).max(1.0)).min(1.0);
+    let at = [(width - length(&text, size)) / 2.0, TITLE_BAND / 2.0 + 0.4 * size];
+    Letters { text, at, size }
+}
+
+/// The length of a line of letters.
+fn length(text: &str, size: f64) -> f64 {
+    text.chars().count() as f64 * LETTER_WIDTH * size
+}
+
+/// A text without what neither XML nor a font can show.
+pub(super) fn printable(text: &str) -> String {
+    let shown =
+        |ch: char| if ch.is_control() || matches!(ch, '\u{FFFE}' | '\u{FFFF}') { '\u{FFFD}' } else { ch };
+    text.chars().map(shown).collect()
+}
+
+const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// The ways in which a label may lie from its disc, the best first.
+const DIRECTIONS: [[f64; 2]; 8] = [
+    [DIAGONAL, -DIAGONAL],
+    [-DIAGONAL, -DIAGONAL],
+    [DIAGONAL, DIAGONAL],
+    [-DIAGONAL, DIAGONAL],
+    [1.0, 0.0],
+    [-1.0, 0.0],
+    [0.0, -1.0],
+    [0.0, 1.0],
+];
+
+/// The area of a given size that lies a distance away from a place.
+fn beside([x, y]: Point<2>, distance: f64, [width, height]: [f64; 2], [right, down]: [f64; 2]) -> Area {
+    let corner = |along: f64, size: f64| match along {
+        along if along > 0.0 => along * distance,
+        along if along < 0.0 => along * distance - size,
+        _ => -size / 2.0,
+    };
+    let (left, top) = (x + corner(right, width), y + corner(down, height));
+    [left, top, left + width, top + height]
+}
+
+/// What labels should not cover.
+struct Taken {
+    legs: Vec<[Point<2>; 2]>,
+    areas: Vec<Area>,
+    height: f64,
+}
+
+impl Taken {
+    /// The area that covers least, the first of equal ones.
+    fn freest(&self, areas: &[Area]) -> Area {
+        let free = match areas {
+            // Nothing to choose, nothing to count.
+            [only] => Some(only),
+            areas => areas.iter().min_by_key(|area| self.cost(**area)),
+        };
+        free.copied().unwrap_or_default()
+    }
+
+    /// How bad it is to cover an area: letters and discs count more than lines, and what leaves the
+    /// picture most.
+    fn cost(&self, area: Area) -> usize {
+        let lines = self.legs.iter().filter(|leg| crosses(**leg, area)).count();
+        let others = self.areas.iter().filter(|other| overlap(**other, area)).count();
+        let [left, top, right, bottom] = area;
+        let outside = left < 0.0 || top < 0.0 || right > f64::from(NOMINAL_WIDTH) || bottom > self.height;
+        lines.min(50) + 100 * others + if outside { 10_000 } else { 0 }
+    }
+}
+
+fn overlap(a: Area, b: Area) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+/// Whether a straight line runs through an area.
+fn crosses([a, b]: [Point<2>; 2], area: Area) -> bool {
+    let around = [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])];
+    // Open comparison would lose horizontal and vertical lines.
+    let apart = around[0] > area[2] || around[2] < area[0] || around[1] > area[3] || around[3] < area[1];
+    // All corners on one side of the line?
+    let side = |x: f64, y: f64| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+    let [left, top, right, bottom] = area;
+    let sides = [side(left, top), side(right, top), side(left, bottom), side(right, bottom)];
+    !apart && !sides.iter().all(|s| *s > 0.0) && !sides.iter().all(|s| *s < 0.0)
+}

@@ -1,0 +1,275 @@
+//! A picture as PNG: lines and discs by tiny-skia, letters by fontdue.
+//!
+//! The picture is drawn in bands of rows that go to the encoder one after the other, so that the
+//! largest one needs some megabytes only.
+
+use super::FigureError;
+use super::layout::{LETTER_WIDTH, Layout, Letters};
+use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
+use crate::geometry::{Closure, CubicBezier, Point};
+use fontdue::{Font, FontSettings};
+use std::io::Write;
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
+};
+
+/// DejaVu Sans Mono; see `fonts/README.md`.
+static FONT: &[u8] = include_bytes!("fonts/DejaVuSansMono.ttf");
+
+/// Pixels of a band.
+const BAND: u32 = 1 << 22;
+
+/// Width of the white seam around letters in nominal pixels.
+const SEAM: f64 = 1.5;
+
+impl Figure {
+    /// The picture as a PNG of that many pixels' width, 8-bit red, green, blue, with smoothed edges on
+    /// white. Everything is enlarged or reduced with the width. The same figure gives the same bytes.
+    ///
+    /// # Errors
+    /// [`FigureError`] for a width outside of [`SMALLEST_WIDTH`] to [`LARGEST_WIDTH`], a coordinate that
+    /// is not finite or too large, and sizes out of range.
+    ///
+    /// [`SMALLEST_WIDTH`]: super::SMALLEST_WIDTH
+    /// [`LARGEST_WIDTH`]: super::LARGEST_WIDTH
+    pub fn to_png(&self, width: u32) -> Result<Vec<u8>, FigureError> {
+        check_width(width)?;
+        self.check()?;
+        let layout = Layout::new(self);
+        let enlarged = f64::from(width) / f64::from(NOMINAL_WIDTH);
+        // At most some ten thousand.
+        let height = (layout.height * enlarged).round().max(1.0) as u32;
+        let font = font(&layout.letters)?;
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        let mut writer = encoder.write_header()?;
+        let mut stream = writer.stream_writer()?;
+        let rows = (BAND / width).max(1);
+        for top in (0..height).step_by(rows as usize) {
+            let mut band = Band::new(&layout, enlarged, [width, rows.min(height - top)], top)?;
+            self.items.iter().for_each(|item| band.draw(item));
+            if let Some(font) = &font {
+                layout.letters.iter().for_each(|line| band.write(line, font));
+            }
+            let rgb: Vec<u8> =
+                band.pixmap.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
+            stream.write_all(&rgb).map_err(|error| FigureError::Encoding(error.to_string()))?;
+        }
+        stream.finish()?;
+        writer.finish()?;
+        Ok(file)
+    }
+}
+
+/// Some rows of the picture.
+struct Band<'a> {
+    pixmap: Pixmap,
+    layout: &'a Layout,
+    enlarged: f64,
+    top: u32,
+}
+
+impl<'a> Band<'a> {
+    fn new(
+        layout: &'a Layout,
+        enlarged: f64,
+        [width, rows]: [u32; 2],
+        top: u32,
+    ) -> Result<Band<'a>, FigureError> {
+        let none = || FigureError::Encoding(format!("no memory for {width}x{rows} pixels"));
+        let mut pixmap = Pixmap::new(width, rows).ok_or_else(none)?;
+        pixmap.fill(Color::WHITE);
+        Ok(Band { pixmap, layout, enlarged, top })
+    }
+
+    fn draw(&mut self, item: &Item) {
+        let (path, style) = match item {
+            Item::Curve { arcs, closure, style } => (self.curve(arcs, *closure), style),
+            Item::Polyline { points, closure, style } => (self.polyline(points, *closure), style),
+            Item::Disc { at, radius, style, .. } => {
+                let [x, y] = self.pixel(*at);
+                (PathBuilder::from_circle(x, y, (radius * self.enlarged) as f32), style)
+            }
+            Item::Text { .. } => return,
+        };
+        // There is no path for nothing.
+        if let Some(path) = path {
+            self.paint(&path, style);
+        }
+    }
+
+    /// The place of a point of the world in the band. Computed in doubles, so that a small window far
+    /// from the origin keeps its shape.
+    fn pixel(&self, point: Point<2>) -> [f32; 2] {
+        let [x, y] = self.layout.place(point).map(|value| value * self.enlarged);
+        [x as f32, (y - f64::from(self.top)) as f32]
+    }
+
+    fn curve(&self, arcs: &[CubicBezier<2>], closure: Closure) -> Option<Path> {
+        let mut path = PathBuilder::new();
+        for (begin, arc) in begins(arcs) {
+            let [[ax, ay], [bx, by], [cx, cy], [dx, dy]] = arc.p.map(|point| self.pixel(point));
+            if begin {
+                path.move_to(ax, ay);
+            }
+            path.cubic_to(bx, by, cx, cy, dx, dy);
+        }
+        close(path, closure)
+    }
+
+    fn polyline(&self, points: &[Point<2>], closure: Closure) -> Option<Path> {
+        let mut path = PathBuilder::new();
+        for (index, &point) in points.iter().enumerate() {
+            let [x, y] = self.pixel(point);
+            if index == 0 {
+                path.move_to(x, y);
+            } else {
+                path.line_to(x, y);
+            }
+        }
+        close(path, closure)
+    }
+
+    fn paint(&mut self, path: &Path, style: &Style) {
+        if let Some(fill) = style.fill {
+            self.pixmap.fill_path(path, &paint(fill), FillRule::Winding, Transform::identity(), None);
+        }
+        let width = (style.width * self.enlarged) as f32;
+        // A width of nothing would be a hair line.
+        if let Some(stroke) = style.stroke.filter(|_| width > 0.0) {
+            let dash = style.dash.map(|dash| dash.map(|length| (length * self.enlarged) as f32).to_vec());
+            let stroke_of = Stroke {
+                width,
+                line_cap: LineCap::Round,
+                line_join: LineJoin::Round,
+                dash: dash.and_then(|lengths| StrokeDash::new(lengths, 0.0)),
+                ..Stroke::default()
+            };
+            self.pixmap.stroke_path(path, &paint(stroke), &stroke_of, Transform::identity(), None);
+        }
+    }
+
+    /// Writes a line of black letters with a white seam, so that lines do not run through them.
+    fn write(&mut self, line: &Letters, font: &Font) {
+        let [_, y] = line.at.map(|value| value * self.enlarged);
+        // No letter of the font is as high or deep as twice its size.
+        let reach = 2.0 * line.size * self.enlarged;
+        let (top, bottom) = (f64::from(self.top), f64::from(self.top) + f64::from(self.pixmap.height()));
+        if y + reach < top || y - reach > bottom {
+            return;
+        }
+        let glyphs = line_glyphs(font, line, self.enlarged);
+        let seam = (SEAM * self.enlarged).round() as usize;
+        glyphs.iter().for_each(|glyph| self.put(&glyph.seam(seam), 255));
+        glyphs.iter().for_each(|glyph| self.put(glyph, 0));
+    }
+
+    /// Blends a glyph in a shade of grey into the band.
+    fn put(&mut self, glyph: &Glyph, shade: u8) {
+        let (width, rows) = (self.pixmap.width() as usize, self.pixmap.height() as usize);
+        let data = self.pixmap.data_mut();
+        for (row, values) in glyph.coverage.chunks_exact(glyph.width.max(1)).enumerate() {
+            let y = glyph.top.saturating_add(row as i64).saturating_sub(i64::from(self.top));
+            let Ok(y) = usize::try_from(y) else { continue };
+            for (column, &coverage) in values.iter().enumerate() {
+                let Ok(x) = usize::try_from(glyph.left.saturating_add(column as i64)) else { continue };
+                if x >= width || y >= rows {
+                    continue;
+                }
+                let at = (y * width + x) * 4;
+                for channel in data.iter_mut().skip(at).take(3) {
+                    *channel = mix(*channel, shade, coverage);
+                }
+            }
+        }
+    }
+}
+
+/// A channel covered by another colour's.
+fn mix(below: u8, above: u8, coverage: u8) -> u8 {
+    let (below, above, coverage) = (u32::from(below), u32::from(above), u32::from(coverage));
+    // A mean of two bytes is a byte.
+    ((below * (255 - coverage) + above * coverage + 127) / 255) as u8
+}
+
+fn close(mut path: PathBuilder, closure: Closure) -> Option<Path> {
+    if closure == Closure::Closed && !path.is_empty() {
+        path.close();
+    }
+    path.finish()
+}
+
+fn paint([red, green, blue]: [u8; 3]) -> Paint<'static> {
+    let mut paint = Paint { anti_alias: true, ..Paint::default() };
+    paint.set_color_rgba8(red, green, blue, 255);
+    paint
+}
+
+/// A letter's coverage with its place in the picture.
+struct Glyph {
+    left: i64,
+    top: i64,
+    width: usize,
+    coverage: Vec<u8>,
+}
+
+/// The font, if there is anything to write.
+fn font(letters: &[Letters]) -> Result<Option<Font>, FigureError> {
+    if letters.is_empty() {
+        return Ok(None);
+    }
+    let font = Font::from_bytes(FONT, FontSettings::default());
+    font.map(Some).map_err(|message| FigureError::Encoding(message.to_string()))
+}
+
+/// The glyphs of a line, as far as they stand in the picture.
+fn line_glyphs(font: &Font, line: &Letters, enlarged: f64) -> Vec<Glyph> {
+    let size = line.size * enlarged;
+    let advance = LETTER_WIDTH * size;
+    let [x, y] = line.at.map(|value| value * enlarged);
+    let rightmost = f64::from(NOMINAL_WIDTH) * enlarged;
+    let pens = line.text.chars().enumerate().map(|(index, ch)| (x + index as f64 * advance, ch));
+    let shown = pens.skip_while(|(pen, _)| pen + size < 0.0).take_while(|(pen, _)| *pen < rightmost);
+    let glyph = |(pen, ch): (f64, char)| {
+        let (metrics, coverage) = font.rasterize(ch, size as f32);
+        let left = pen.round() as i64 + i64::from(metrics.xmin);
+        let top = y.round() as i64 - i64::from(metrics.ymin) - metrics.height as i64;
+        Glyph { left, top, width: metrics.width, coverage }
+    };
+    shown.map(glyph).collect()
+}
+
+impl Glyph {
+    /// The glyph grown by `reach` pixels to all sides.
+    fn seam(&self, reach: usize) -> Glyph {
+        let rows: Vec<&[u8]> = self.coverage.chunks_exact(self.width.max(1)).collect();
+        let widened: Vec<Vec<u8>> = rows.iter().map(|row| grown(row, reach)).collect();
+        let width = self.width + 2 * reach;
+        let columns: Vec<Vec<u8>> = (0..width)
+            .map(|x| {
+                let column: Vec<u8> = widened.iter().filter_map(|row| row.get(x).copied()).collect();
+                grown(&column, reach)
+            })
+            .collect();
+        let height = rows.len() + 2 * reach;
+        let coverage =
+            (0..height).flat_map(|y| columns.iter().filter_map(move |column| column.get(y).copied()));
+        let reached = i64::try_from(reach).unwrap_or(i64::MAX);
+        Glyph {
+            left: self.left.saturating_sub(reached),
+            top: self.top.saturating_sub(reached),
+            width,
+            coverage: coverage.collect(),
+        }
+    }
+}
+
+/// Values with as many more on both sides; each is the largest within that reach.
+fn grown(values: &[u8], reach: usize) -> Vec<u8> {
+    let largest = |at: usize| {
+        let near = values.get(at.saturating_sub(2 * reach)..values.len().min(at + 1));
+        near.and_then(|near| near.iter().max()).copied().unwrap_or(0)
+    };
+    (0..values.len() + 2 * reach).map(largest).collect()
+}

@@ -1,0 +1,94 @@
+//! Sampled curves as tables for other programs: CSV and JSON.
+
+use super::number::Number;
+use serde_json::{Map, Value};
+use std::fmt::Write;
+
+/// The names of the coordinates.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Rows of a sampled curve (span from 0, parameter `u` in it, point in the plane or in space) as CSV:
+/// the header `span,u,x,y` or `span,u,x,y,z`, then a line each. Numbers have the fewest digits that
+/// read back as the same double.
+///
+/// ```
+/// let rows = [(0, 0.0, [1.0, 2.0]), (0, 0.5, [1.5, 1e-9])];
+/// assert_eq!(grafika::figure::curve_csv(rows.into_iter()), "span,u,x,y\n0,0,1,2\n0,0.5,1.5,1e-9\n");
+/// ```
+pub fn curve_csv<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; D])>) -> String {
+    let mut text = String::from("span,u");
+    for axis in AXES.iter().take(D) {
+        text.push(',');
+        text.push_str(axis);
+    }
+    text.push('\n');
+    for (span, u, point) in rows {
+        // Writing to a string cannot fail, here and below.
+        let _ = write!(text, "{span},{}", Number(u));
+        for coordinate in point {
+            let _ = write!(text, ",{}", Number(coordinate));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The rows of [`curve_csv`] as a JSON array with an object a line: `span` (an integer), `u`, `x`, `y`
+/// and in space `z`. Numbers read back as the same double; one that is not finite, which no curve of
+/// this library has, becomes `null`.
+///
+/// ```
+/// let rows = [(0, 0.0, [1.0, 2.0]), (0, 1.0, [0.1, 3.0])];
+/// let text = grafika::figure::curve_json(rows.into_iter());
+/// assert_eq!(text, r#"[
+/// {"span":0,"u":0.0,"x":1.0,"y":2.0},
+/// {"span":0,"u":1.0,"x":0.1,"y":3.0}
+/// ]
+/// "#);
+/// ```
+pub fn curve_json<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; D])>) -> String {
+    let mut text = String::from("[");
+    for (index, (span, u, point)) in rows.enumerate() {
+        let mut row = Map::new();
+        row.insert("span".to_string(), Value::from(span));
+        row.insert("u".to_string(), Value::from(u));
+        for (axis, coordinate) in AXES.iter().zip(point) {
+            row.insert((*axis).to_string(), Value::from(coordinate));
+        }
+        let _ = write!(text, "{}{}", if index == 0 { "\n" } else { ",\n" }, Value::Object(row));
+    }
+    text.push_str("\n]\n");
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const FINITE: proptest::num::f64::Any = proptest::num::f64::NORMAL;
+
+    #[test]
+    fn no_rows() {
+        let none = || std::iter::empty::<(usize, f64, [f64; 3])>();
+        assert_eq!(curve_csv(none()), "span,u,x,y,z\n");
+        assert_eq!(serde_json::from_str::<Value>(&curve_json(none())).unwrap(), Value::Array(Vec::new()));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        #[test]
+        fn tables_read_back(span: usize, u in FINITE, point in prop::array::uniform3(FINITE)) {
+            let row = || std::iter::once((span, u, point));
+            let csv = curve_csv(row());
+            let line: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
+            prop_assert_eq!(line[0].parse::<usize>().unwrap(), span);
+            let numbers: Vec<f64> = line[1..].iter().map(|number| number.parse().unwrap()).collect();
+            prop_assert_eq!(numbers, [u, point[0], point[1], point[2]]);
+            let json: Value = serde_json::from_str(&curve_json(row())).unwrap();
+            prop_assert_eq!(json[0]["span"].as_u64(), Some(span as u64));
+            let numbers = ["u", "x", "y", "z"].map(|name| json[0][name].as_f64().unwrap());
+            prop_assert_eq!(numbers, [u, point[0], point[1], point[2]]);
+        }
+    }
+}

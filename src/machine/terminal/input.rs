@@ -1,0 +1,249 @@
+//! Keys and mouse of a terminal as programs see them, and a mouse for those who have only keys.
+
+use super::super::event::{Button, Event, Key};
+use super::place::{Extent, Place};
+use crate::screen::{HEIGHT, WIDTH};
+use crossterm::event::{
+    KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
+};
+
+/// A key of the terminal display and what it does, in both languages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KeyHelp {
+    /// The keys.
+    pub keys: &'static str,
+    /// What they do, in Hungarian.
+    pub hungarian: &'static str,
+    /// What they do, in English.
+    pub english: &'static str,
+}
+
+/// The keys that the terminal display keeps for itself: everything that a mouse does. Alt with the arrows
+/// serves where the desktop keeps Ctrl with the arrows.
+pub const KEY_HELP: [KeyHelp; 6] = [
+    KeyHelp {
+        keys: "Ctrl+↑ ↓ ← →, Alt+↑ ↓ ← →",
+        hungarian: "az egér mozgatása egy karakterhellyel",
+        english: "move the mouse by one character",
+    },
+    KeyHelp {
+        keys: "Shift+↑ ↓ ← →",
+        hungarian: "az egér mozgatása egy képponttal",
+        english: "move the mouse by one pixel",
+    },
+    KeyHelp {
+        keys: "Ctrl+Space, Alt+L",
+        hungarian: "a bal egérgomb lenyomása, illetve felengedése",
+        english: "press or release the left mouse button",
+    },
+    KeyHelp {
+        keys: "Alt+R",
+        hungarian: "a jobb egérgomb lenyomása, illetve felengedése",
+        english: "press or release the right mouse button",
+    },
+    KeyHelp {
+        keys: "Alt+PgUp, Alt+PgDn",
+        hungarian: "az egér kerekének forgatása",
+        english: "turn the mouse wheel",
+    },
+    KeyHelp { keys: "Ctrl+C", hungarian: "kilépés", english: "close the program" },
+];
+
+/// How far Ctrl and an arrow move the mouse, in pixels: one letter.
+const STRIDE: i32 = 8;
+
+/// The keyboard and the mouse of a terminal.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Input {
+    /// Whether the mouse is told in pixels.
+    pixel_mouse: bool,
+    held: [bool; 3],
+}
+
+impl Input {
+    pub(super) fn new(pixel_mouse: bool) -> Input {
+        Input { pixel_mouse, held: [false; 3] }
+    }
+
+    /// What a key means; `at` is where the mouse is.
+    pub(super) fn key(&mut self, event: KeyEvent, at: (i32, i32)) -> Option<Event> {
+        if event.kind == KeyEventKind::Release {
+            return None;
+        }
+        let (ctrl, alt, shift) = (
+            event.modifiers.contains(KeyModifiers::CONTROL),
+            event.modifiers.contains(KeyModifiers::ALT),
+            event.modifiers.contains(KeyModifiers::SHIFT),
+        );
+        let stride = match (ctrl || alt, shift) {
+            (true, _) => Some(STRIDE),
+            (false, true) => Some(1),
+            (false, false) => None,
+        };
+        if let (Some(stride), Some((right, down))) = (stride, arrow(event.code)) {
+            let x = (at.0 + right * stride).clamp(0, WIDTH - 1);
+            let y = (at.1 + down * stride).clamp(0, HEIGHT - 1);
+            return Some(Event::Move(x, y));
+        }
+        match event.code {
+            // Ctrl and Alt together are how some systems tell AltGr, which types characters.
+            KeyCode::Char(typed) if ctrl && !alt => self.ctrl(typed),
+            KeyCode::Char(typed) if alt && !ctrl => self.alt(typed),
+            KeyCode::PageUp if alt => Some(Event::Wheel(1)),
+            KeyCode::PageDown if alt => Some(Event::Wheel(-1)),
+            KeyCode::Null => self.toggle(Button::Left),
+            KeyCode::F(11) => None,
+            KeyCode::F(number @ 1..=12) if ctrl => Some(Event::Key(Key::CtrlF(number))),
+            code => plain(code).map(Event::Key),
+        }
+    }
+
+    fn ctrl(&mut self, typed: char) -> Option<Event> {
+        match typed {
+            'c' | 'C' => Some(Event::Close),
+            ' ' | '@' => self.toggle(Button::Left),
+            typed if typed.is_ascii_alphanumeric() => Some(Event::Key(Key::Ctrl(typed.to_ascii_uppercase()))),
+            _ => None,
+        }
+    }
+
+    fn alt(&mut self, typed: char) -> Option<Event> {
+        match typed {
+            'l' | 'L' => self.toggle(Button::Left),
+            'r' | 'R' => self.toggle(Button::Right),
+            _ => None,
+        }
+    }
+
+    fn toggle(&mut self, button: Button) -> Option<Event> {
+        self.button(button, !self.held[button as usize])
+    }
+
+    /// A press and its release always come in pairs, whatever the terminal leaves out.
+    fn button(&mut self, button: Button, down: bool) -> Option<Event> {
+        let before = std::mem::replace(&mut self.held[button as usize], down);
+        (before != down).then_some(if down { Event::Press(button) } else { Event::Release(button) })
+    }
+
+    /// Where the mouse is, and what it did there.
+    pub(super) fn mouse(
+        &mut self,
+        event: MouseEvent,
+        place: Place,
+        extent: Extent,
+    ) -> (Event, Option<Event>) {
+        let (x, y) = (f64::from(event.column), f64::from(event.row));
+        let (column, row) = match extent.cell.filter(|_| self.pixel_mouse) {
+            Some((width, height)) => (x / f64::from(width), y / f64::from(height)),
+            None => (x + 0.5, y + 0.5),
+        };
+        let (x, y) = place.pixel_at(column, row);
+        let what = match event.kind {
+            MouseEventKind::Down(which) => self.button(button(which), true),
+            MouseEventKind::Up(which) => self.button(button(which), false),
+            MouseEventKind::ScrollUp => Some(Event::Wheel(1)),
+            MouseEventKind::ScrollDown => Some(Event::Wheel(-1)),
+            _ => None,
+        };
+        (Event::Move(x, y), what)
+    }
+}
+
+fn arrow(code: KeyCode) -> Option<(i32, i32)> {
+    match code {
+        KeyCode::Left => Some((-1, 0)),
+        KeyCode::Right => Some((1, 0)),
+        KeyCode::Up => Some((0, -1)),
+        KeyCode::Down => Some((0, 1)),
+        _ => None,
+    }
+}
+
+fn button(button: MouseButton) -> Button {
+    match button {
+        MouseButton::Left => Button::Left,
+        MouseButton::Right => Button::Right,
+        MouseButton::Middle => Button::Middle,
+    }
+}
+
+fn plain(code: KeyCode) -> Option<Key> {
+    Some(match code {
+        KeyCode::Char(typed) if !typed.is_control() => Key::Char(typed),
+        KeyCode::F(number @ 1..=12) => Key::F(number),
+        KeyCode::Enter => Key::Enter,
+        KeyCode::Esc => Key::Esc,
+        KeyCode::Backspace => Key::Backspace,
+        KeyCode::Tab | KeyCode::BackTab => Key::Tab,
+        KeyCode::Up => Key::Up,
+        KeyCode::Down => Key::Down,
+        KeyCode::Left => Key::Left,
+        KeyCode::Right => Key::Right,
+        KeyCode::Home => Key::Home,
+        KeyCode::End => Key::End,
+        KeyCode::PageUp => Key::PageUp,
+        KeyCode::PageDown => Key::PageDown,
+        KeyCode::Insert => Key::Insert,
+        KeyCode::Delete => Key::Delete,
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn key(input: &mut Input, code: KeyCode, modifiers: KeyModifiers) -> Option<Event> {
+        input.key(KeyEvent::new(code, modifiers), (320, 240))
+    }
+
+    #[test]
+    fn keys_of_programs() {
+        let mut input = Input::default();
+        for (code, modifiers, expected) in [
+            (KeyCode::Char('ő'), KeyModifiers::NONE, Key::Char('ő')),
+            (KeyCode::Char('A'), KeyModifiers::SHIFT, Key::Char('A')),
+            (KeyCode::Char('@'), KeyModifiers::CONTROL | KeyModifiers::ALT, Key::Char('@')),
+            (KeyCode::Char('z'), KeyModifiers::CONTROL, Key::Ctrl('Z')),
+            (KeyCode::F(2), KeyModifiers::NONE, Key::F(2)),
+            (KeyCode::F(2), KeyModifiers::CONTROL, Key::CtrlF(2)),
+            (KeyCode::BackTab, KeyModifiers::SHIFT, Key::Tab),
+            (KeyCode::Up, KeyModifiers::NONE, Key::Up),
+        ] {
+            assert_eq!(key(&mut input, code, modifiers), Some(Event::Key(expected)));
+        }
+        assert_eq!(key(&mut input, KeyCode::F(11), KeyModifiers::NONE), None);
+        assert_eq!(key(&mut input, KeyCode::Char('c'), KeyModifiers::CONTROL), Some(Event::Close));
+    }
+
+    #[test]
+    fn the_keyboard_does_what_a_mouse_does() {
+        let mut input = Input::default();
+        let moved = key(&mut input, KeyCode::Left, KeyModifiers::CONTROL);
+        assert_eq!(moved, Some(Event::Move(312, 240)));
+        assert_eq!(key(&mut input, KeyCode::Down, KeyModifiers::SHIFT), Some(Event::Move(320, 241)));
+        let space = (KeyCode::Char(' '), KeyModifiers::CONTROL);
+        assert_eq!(key(&mut input, space.0, space.1), Some(Event::Press(Button::Left)));
+        assert_eq!(key(&mut input, space.0, space.1), Some(Event::Release(Button::Left)));
+        assert_eq!(key(&mut input, KeyCode::PageDown, KeyModifiers::ALT), Some(Event::Wheel(-1)));
+    }
+
+    #[test]
+    fn the_mouse_is_as_fine_as_the_terminal_tells() {
+        let extent = Extent { columns: 80, rows: 30, cell: Some((10, 20)) };
+        let place = Place::of_blocks(extent).unwrap();
+        let press = MouseEvent {
+            kind: MouseEventKind::Down(MouseButton::Left),
+            column: 10,
+            row: 5,
+            modifiers: KeyModifiers::NONE,
+        };
+        let mut input = Input::default();
+        let told = input.mouse(press, place, extent);
+        assert_eq!(told, (Event::Move(84, 88), Some(Event::Press(Button::Left))));
+        let mut input = Input::new(true);
+        let told = input.mouse(MouseEvent { column: 105, row: 110, ..press }, place, extent);
+        assert_eq!(told.0, Event::Move(84, 88));
+        assert_eq!(input.mouse(press, place, extent).1, None);
+    }
+}

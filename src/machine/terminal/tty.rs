@@ -1,0 +1,196 @@
+//! The terminal itself: its modes, its answers, its events, and everything as it was before at the end.
+
+use super::TerminalError;
+use super::answers::{Answers, QUESTIONS};
+use super::graphics;
+use super::place::Extent;
+use crossterm::event::{
+    DisableMouseCapture, EnableMouseCapture, Event, KeyboardEnhancementFlags, PopKeyboardEnhancementFlags,
+    PushKeyboardEnhancementFlags,
+};
+use crossterm::terminal::{self, EnterAlternateScreen, LeaveAlternateScreen};
+use crossterm::{cursor, execute, queue};
+use std::io::{self, IsTerminal, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// How long a terminal may take to answer; any that answers at all takes far less, but for a slow line.
+#[cfg(unix)]
+const PATIENCE: Duration = Duration::from_millis(800);
+
+/// Starts and stops a frame that is shown at once.
+const TOGETHER: [&[u8]; 2] = [b"\x1b[?2026h", b"\x1b[?2026l"];
+
+/// Mouse places in pixels.
+const PIXEL_MOUSE: [&[u8]; 2] = [b"\x1b[?1016h", b"\x1b[?1016l"];
+
+/// A terminal in the modes of the display; dropped, it is as before.
+pub(super) struct Tty {
+    pub(super) answers: Answers,
+    /// Set when the process is asked to end.
+    stop: Arc<AtomicBool>,
+    #[cfg(unix)]
+    signals: Vec<signal_hook::SigId>,
+}
+
+impl Tty {
+    /// Puts the terminal into the modes of the display and asks what it can do.
+    pub(super) fn open() -> Result<Tty, TerminalError> {
+        if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
+            return Err(TerminalError::NoTerminal);
+        }
+        let stop = Arc::new(AtomicBool::new(false));
+        let mut tty = Tty {
+            #[cfg(unix)]
+            signals: watch(&stop),
+            stop,
+            answers: Answers::default(),
+        };
+        // From here on every way out passes the drop, which undoes more than may have been done.
+        terminal::enable_raw_mode()?;
+        execute!(io::stdout(), EnterAlternateScreen, cursor::Hide)?;
+        tty.answers = ask()?;
+        queue!(io::stdout(), terminal::DisableLineWrap, EnableMouseCapture)?;
+        if tty.answers.pixel_mouse {
+            io::stdout().write_all(PIXEL_MOUSE[0])?;
+        }
+        if tty.answers.clear_keys {
+            let flags = KeyboardEnhancementFlags::DISAMBIGUATE_ESCAPE_CODES;
+            queue!(io::stdout(), PushKeyboardEnhancementFlags(flags))?;
+        }
+        execute!(io::stdout(), terminal::Clear(terminal::ClearType::All))?;
+        Ok(tty)
+    }
+
+    /// The terminal's size.
+    pub(super) fn extent(&self) -> Result<Extent, TerminalError> {
+        let (columns, rows) = terminal::size()?;
+        let pixels = terminal::window_size().map_or((0, 0), |size| (size.width, size.height));
+        Ok(self.answers.extent(columns, rows, pixels))
+    }
+
+    /// Writes one frame.
+    pub(super) fn write(&self, frame: &[u8]) -> Result<(), TerminalError> {
+        let mut out = io::stdout().lock();
+        out.write_all(TOGETHER[0])?;
+        out.write_all(frame)?;
+        out.write_all(TOGETHER[1])?;
+        Ok(out.flush()?)
+    }
+
+    /// What happened, at the latest after `longest` (then often nothing).
+    pub(super) fn events(&self, longest: Duration) -> Result<Vec<Event>, TerminalError> {
+        let mut events = Vec::new();
+        // What has been read already would not wake anybody.
+        let mut pause = if crossterm::event::poll(Duration::ZERO)? { Duration::ZERO } else { wait(longest)? };
+        if self.stop.load(Ordering::Relaxed) {
+            return Err(TerminalError::Stopped);
+        }
+        while crossterm::event::poll(pause)? {
+            events.push(crossterm::event::read()?);
+            pause = Duration::ZERO;
+        }
+        Ok(events)
+    }
+}
+
+impl Drop for Tty {
+    fn drop(&mut self) {
+        let mut out = io::stdout();
+        // Each step is worth trying when another one fails, and nobody is left to be told.
+        if self.answers.kitty {
+            let _ = out.write_all(graphics::kitty_delete().as_bytes());
+        }
+        if self.answers.clear_keys {
+            let _ = queue!(out, PopKeyboardEnhancementFlags);
+        }
+        if self.answers.pixel_mouse {
+            let _ = out.write_all(PIXEL_MOUSE[1]);
+        }
+        let _ = out.write_all(TOGETHER[1]);
+        let _ =
+            queue!(out, DisableMouseCapture, terminal::EnableLineWrap, LeaveAlternateScreen, cursor::Show);
+        let _ = out.flush();
+        let _ = terminal::disable_raw_mode();
+        #[cfg(unix)]
+        for &signal in &self.signals {
+            signal_hook::low_level::unregister(signal);
+        }
+    }
+}
+
+/// Has the wish to end the process noted instead of carried out, so that the terminal can be put in order.
+#[cfg(unix)]
+fn watch(stop: &Arc<AtomicBool>) -> Vec<signal_hook::SigId> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    let note = |signal| signal_hook::flag::register(signal, Arc::clone(stop)).ok();
+    [SIGHUP, SIGINT, SIGTERM].into_iter().filter_map(note).collect()
+}
+
+/// Waits for input, a signal or the end of a time. Gives the time that is left to wait for the library's
+/// own waiting.
+#[cfg(unix)]
+fn wait(longest: Duration) -> Result<Duration, TerminalError> {
+    use rustix::event::{PollFd, PollFlags};
+    let stdin = io::stdin();
+    let mut watched = [PollFd::new(&stdin, PollFlags::IN)];
+    match rustix::event::poll(&mut watched, longest.try_into().ok().as_ref()) {
+        Ok(_) | Err(rustix::io::Errno::INTR) => {}
+        Err(error) => return Err(io::Error::from(error).into()),
+    }
+    let seen = watched[0].revents();
+    if seen.contains(PollFlags::HUP) {
+        return Err(TerminalError::Lost("it was closed".to_string()));
+    }
+    // Some systems do not wait for terminals this way; the library knows another one.
+    Ok(if seen.contains(PollFlags::NVAL) { longest } else { Duration::ZERO })
+}
+
+#[cfg(not(unix))]
+fn wait(longest: Duration) -> Result<Duration, TerminalError> {
+    Ok(longest)
+}
+
+/// Asks the terminal what it can do.
+#[cfg(unix)]
+fn ask() -> Result<Answers, TerminalError> {
+    use rustix::event::{PollFd, PollFlags};
+    use std::time::Instant;
+    let stdin = io::stdin();
+    io::stdout().write_all(QUESTIONS)?;
+    io::stdout().flush()?;
+    let end = Instant::now() + PATIENCE;
+    let mut received = Vec::new();
+    loop {
+        let left = end.saturating_duration_since(Instant::now());
+        let mut watched = [PollFd::new(&stdin, PollFlags::IN)];
+        let ready = match rustix::event::poll(&mut watched, left.try_into().ok().as_ref()) {
+            Ok(ready) => ready > 0,
+            Err(rustix::io::Errno::INTR) => continue,
+            Err(error) => return Err(io::Error::from(error).into()),
+        };
+        if ready && watched[0].revents().contains(PollFlags::IN) {
+            let mut buffer = [0; 1024];
+            let length = rustix::io::read(&stdin, &mut buffer).map_err(io::Error::from)?;
+            received.extend_from_slice(buffer.get(..length).unwrap_or_default());
+        } else {
+            let answers = Answers::read(&received);
+            return Ok(with_text(answers));
+        }
+        if Answers::read(&received).complete {
+            return Ok(with_text(Answers::read(&received)));
+        }
+    }
+}
+
+#[cfg(unix)]
+fn with_text(answers: Answers) -> Answers {
+    terminal::size().map_or(answers, |(columns, rows)| answers.with_text_of(columns, rows))
+}
+
+#[cfg(not(unix))]
+fn ask() -> Result<Answers, TerminalError> {
+    let _ = QUESTIONS;
+    Ok(Answers::default())
+}

@@ -1,0 +1,137 @@
+//! Where the picture lies in a window, and its pixels as the window wants them.
+//!
+//! The picture is magnified by the largest whole factor that fits and stands in the middle of black
+//! margins. Only a window smaller than the picture shows it reduced, so that nothing is out of reach.
+
+use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+
+/// Width and height of the picture as a window counts.
+const PICTURE: (usize, usize) = (WIDTH as usize, HEIGHT as usize);
+
+/// A window's size and the place of the picture in it, in the window's pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Layout {
+    pub(super) window: (usize, usize),
+    /// Width and height of the picture as it is shown.
+    shown: (usize, usize),
+    /// Left and upper edge of the picture.
+    corner: (usize, usize),
+}
+
+impl Layout {
+    /// The layout of a window of this size.
+    pub(super) fn of(window: (usize, usize)) -> Layout {
+        let window = (window.0.max(1), window.1.max(1));
+        let factor = (window.0 / PICTURE.0).min(window.1 / PICTURE.1);
+        let shown = match factor {
+            0 => reduced(window),
+            _ => (PICTURE.0 * factor, PICTURE.1 * factor),
+        };
+        Layout { window, shown, corner: ((window.0 - shown.0) / 2, (window.1 - shown.1) / 2) }
+    }
+
+    /// The pixel of the picture under a place of the window; a place outside of the picture belongs to
+    /// the picture's nearest pixel.
+    pub(super) fn pixel_at(&self, x: f32, y: f32) -> (i32, i32) {
+        let along = |place: f32, corner: usize, shown: usize, size: usize| {
+            let pixel = (place - corner as f32) * size as f32 / shown as f32;
+            // The conversion saturates and turns a NaN into 0.
+            (pixel.floor() as i32).clamp(0, size as i32 - 1)
+        };
+        (along(x, self.corner.0, self.shown.0, PICTURE.0), along(y, self.corner.1, self.shown.1, PICTURE.1))
+    }
+
+    /// Whether a place lies in the window.
+    pub(super) fn holds(&self, x: f32, y: f32) -> bool {
+        x >= 0.0 && y >= 0.0 && x < self.window.0 as f32 && y < self.window.1 as f32
+    }
+
+    /// Paints the window: one number 0RGB a pixel, row by row.
+    pub(super) fn paint(&self, picture: &Screen, pixels: &mut Vec<u32>) {
+        let palette = Color::ALL.map(|color| {
+            let [red, green, blue] = color.rgb();
+            u32::from_be_bytes([0, red, green, blue])
+        });
+        let sources: Vec<usize> = (0..self.shown.0).map(|x| x * PICTURE.0 / self.shown.0).collect();
+        pixels.clear();
+        pixels.resize(self.window.0 * self.window.1, 0);
+        let mut painted: Option<(usize, usize)> = None;
+        for row in 0..self.shown.1 {
+            let source = row * PICTURE.1 / self.shown.1;
+            let start = (self.corner.1 + row) * self.window.0 + self.corner.0;
+            match painted {
+                // The rows of a magnified pixel are alike.
+                Some((same, from)) if same == source => {
+                    pixels.copy_within(from..from + self.shown.0, start);
+                }
+                _ => {
+                    let line = picture.pixels().chunks_exact(PICTURE.0).nth(source).unwrap_or(&[]);
+                    let target = pixels.get_mut(start..).unwrap_or(&mut []);
+                    for (pixel, &x) in target.iter_mut().zip(&sources) {
+                        let index = line.get(x).map_or(0, |&index| usize::from(index & 15));
+                        *pixel = palette[index];
+                    }
+                    painted = Some((source, start));
+                }
+            }
+        }
+    }
+}
+
+/// The largest size of the picture's proportions in a window that is smaller than the picture.
+fn reduced(window: (usize, usize)) -> (usize, usize) {
+    if window.0 * PICTURE.1 <= window.1 * PICTURE.0 {
+        (window.0, (window.0 * PICTURE.1 / PICTURE.0).max(1))
+    } else {
+        ((window.1 * PICTURE.0 / PICTURE.1).max(1), window.1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn whole_factors_in_the_middle() {
+        let layout = Layout::of((1400, 1000));
+        assert_eq!((layout.shown, layout.corner), ((1280, 960), (60, 20)));
+        assert_eq!(layout.pixel_at(60.0, 20.0), (0, 0));
+        assert_eq!(layout.pixel_at(61.9, 21.9), (0, 0));
+        assert_eq!(layout.pixel_at(62.0, 22.0), (1, 1));
+        assert_eq!(layout.pixel_at(1339.0, 979.0), (639, 479));
+        assert_eq!(layout.pixel_at(-5.0, 5000.0), (0, 479));
+    }
+
+    #[test]
+    fn painted_pixels_are_those_of_the_picture() {
+        let mut picture = Screen::new();
+        picture.set(0, 0, Color::Yellow);
+        picture.set(639, 479, Color::Brown);
+        let mut pixels = Vec::new();
+        let layout = Layout::of((1283, 965));
+        layout.paint(&picture, &mut pixels);
+        let at = |x: usize, y: usize| pixels[y * 1283 + x];
+        assert_eq!([at(1, 2), at(2, 3), at(3, 3), at(0, 2), at(1, 1)], [0xFF_FF55, 0xFF_FF55, 0, 0, 0]);
+        assert_eq!([at(1280, 961), at(1279, 960), at(1281, 961)], [0xAA_5500, 0xAA_5500, 0]);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+        #[test]
+        fn any_window_shows_and_maps_the_whole_picture(
+            width in 0usize..1500, height in 0usize..1100, x in -10.0f32..1600.0, y in -10.0f32..1200.0,
+        ) {
+            let layout = Layout::of((width, height));
+            let mut pixels = Vec::new();
+            let mut picture = Screen::new();
+            picture.clear(Color::White);
+            layout.paint(&picture, &mut pixels);
+            let white = pixels.iter().filter(|&&pixel| pixel == 0xFF_FFFF).count();
+            prop_assert_eq!(white, layout.shown.0 * layout.shown.1);
+            prop_assert!(layout.corner.0 + layout.shown.0 <= layout.window.0);
+            let (px, py) = layout.pixel_at(x, y);
+            prop_assert!((0..WIDTH).contains(&px) && (0..HEIGHT).contains(&py));
+        }
+    }
+}

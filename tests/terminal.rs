@@ -1,0 +1,250 @@
+//! Drives the terminal display through a pseudo-terminal, as a user and a terminal would.
+#![cfg(all(unix, feature = "terminal"))]
+
+use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use std::io::{Read, Write};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// What is started and what it shows: the only part that knows the program.
+mod program {
+    pub(super) const NAME: &str = "display_probe";
+    pub(super) const ARGUMENTS: [&str; 2] = ["terminal", "en"];
+    pub(super) const TITLE: &str = "DISPLAY PROBE őű ÁRVÍZTŰRŐ";
+    /// A key, and what the screen says after it.
+    pub(super) const KEY: (&str, &str) = ("é", "Key(Char('é'))");
+    /// A click at a cell (from 0) makes the cell this colour.
+    pub(super) const CLICK: ((u16, u16), vt100::Color) = ((40, 20), vt100::Color::Rgb(255, 255, 85));
+    pub(super) const QUESTION: &str = "Close? y/n";
+    pub(super) const YES: &str = "y";
+}
+
+fn path() -> PathBuf {
+    let test = std::env::current_exe().expect("a test knows where it is");
+    let folder = test.ancestors().nth(2).expect("tests lie in a folder of the target folder");
+    let path = folder.join("examples").join(program::NAME);
+    assert!(
+        path.exists(),
+        "{} is missing; build it: cargo build --example {}",
+        path.display(),
+        program::NAME
+    );
+    path
+}
+
+/// A terminal with the program in it.
+struct Terminal {
+    master: Box<dyn MasterPty + Send>,
+    child: Box<dyn Child + Send + Sync>,
+    keyboard: Box<dyn Write + Send>,
+    screen: Arc<Mutex<vt100::Parser>>,
+    output: Arc<Mutex<Vec<u8>>>,
+}
+
+/// Questions end with this one, which every terminal answers.
+const LAST_QUESTION: &[u8] = b"\x1b[c";
+
+/// The answer of a terminal without graphics.
+const PLAIN: &str = "\x1b[?62;c";
+
+impl Terminal {
+    fn start(columns: u16, rows: u16, answers: &str) -> Terminal {
+        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
+        let pair = native_pty_system().openpty(size).unwrap();
+        let mut command = CommandBuilder::new(path());
+        command.args(program::ARGUMENTS);
+        command.env("TERM", "xterm-256color");
+        command.env("COLORTERM", "truecolor");
+        let child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, columns, 0)));
+        let output = Arc::new(Mutex::new(Vec::new()));
+        let (parser, log) = (Arc::clone(&screen), Arc::clone(&output));
+        std::thread::spawn(move || {
+            let mut buffer = [0; 65536];
+            while let Ok(length @ 1..) = reader.read(&mut buffer) {
+                log.lock().unwrap().extend_from_slice(&buffer[..length]);
+                parser.lock().unwrap().process(&buffer[..length]);
+            }
+        });
+        let keyboard = pair.master.take_writer().unwrap();
+        let mut terminal = Terminal { master: pair.master, child, keyboard, screen, output };
+        terminal.wait("the questions", |terminal| terminal.wrote(LAST_QUESTION));
+        terminal.send(answers);
+        terminal
+    }
+
+    fn send(&mut self, text: &str) {
+        self.keyboard.write_all(text.as_bytes()).unwrap();
+        self.keyboard.flush().unwrap();
+    }
+
+    fn resize(&mut self, columns: u16, rows: u16) {
+        self.screen.lock().unwrap().screen_mut().set_size(rows, columns);
+        self.master.resize(PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 }).unwrap();
+    }
+
+    fn contents(&self) -> String {
+        self.screen.lock().unwrap().screen().contents()
+    }
+
+    fn shows(&self, text: &str) -> bool {
+        self.contents().contains(text)
+    }
+
+    /// Whether these bytes were ever written.
+    fn wrote(&self, bytes: &[u8]) -> bool {
+        self.output.lock().unwrap().windows(bytes.len()).any(|window| window == bytes)
+    }
+
+    fn running(&mut self) -> bool {
+        self.child.try_wait().unwrap().is_none()
+    }
+
+    #[track_caller]
+    fn wait(&mut self, what: &str, mut come: impl FnMut(&mut Terminal) -> bool) {
+        let end = Instant::now() + Duration::from_secs(10);
+        while !come(self) {
+            assert!(Instant::now() < end, "{what} did not come; the terminal shows\n{}", self.contents());
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    #[track_caller]
+    fn wait_for(&mut self, text: &str) {
+        self.wait(text, |terminal| terminal.shows(text));
+    }
+
+    #[track_caller]
+    fn wait_for_end(&mut self) -> bool {
+        self.wait("the end of the program", |terminal| !terminal.running());
+        self.child.wait().unwrap().success()
+    }
+
+    #[track_caller]
+    fn assert_restored(&mut self) {
+        self.wait("the ordinary screen", |terminal| {
+            !terminal.screen.lock().unwrap().screen().alternate_screen()
+        });
+        let parser = self.screen.lock().unwrap();
+        assert!(!parser.screen().hide_cursor(), "the cursor is hidden");
+        assert_eq!(parser.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}
+
+/// A whole visit: texts, a key, a click, a small terminal, closing.
+#[test]
+fn block_characters_from_start_to_end() {
+    let mut terminal = Terminal::start(80, 30, PLAIN);
+    terminal.wait_for(program::TITLE);
+    terminal.send(program::KEY.0);
+    terminal.wait_for(program::KEY.1);
+
+    let ((column, row), color) = program::CLICK;
+    terminal.send(&format!("\x1b[<0;{x};{y}M\x1b[<0;{x};{y}m", x = column + 1, y = row + 1));
+    // The pointer stands on the clicked cell itself.
+    terminal.send("\x1b[<35;1;1M");
+    terminal.wait("the mark of the click", |terminal| {
+        let parser = terminal.screen.lock().unwrap();
+        parser.screen().cell(row, column).is_some_and(|cell| cell.bgcolor() == color)
+    });
+
+    terminal.resize(60, 20);
+    terminal.wait("the message on the size", |terminal| terminal.shows("60x20") && terminal.shows("80x30"));
+    assert!(!terminal.shows(program::TITLE));
+    terminal.resize(120, 45);
+    terminal.wait_for(program::TITLE);
+    terminal.resize(80, 30);
+    terminal.wait_for(program::TITLE);
+
+    terminal.send("\x03");
+    terminal.wait_for(program::QUESTION);
+    terminal.send("\x03");
+    std::thread::sleep(Duration::from_millis(100));
+    assert!(terminal.running() && terminal.shows(program::QUESTION));
+    terminal.send(program::YES);
+    assert!(terminal.wait_for_end());
+    terminal.assert_restored();
+}
+
+#[test]
+fn line_discipline_is_restored() {
+    let mut terminal = Terminal::start(80, 30, PLAIN);
+    terminal.wait_for(program::TITLE);
+    let raw = terminal.master.get_termios().unwrap();
+    terminal.send("\x03");
+    terminal.wait_for(program::QUESTION);
+    terminal.send(program::YES);
+    assert!(terminal.wait_for_end());
+    let fresh = native_pty_system().openpty(PtySize::default()).unwrap();
+    let ordinary = fresh.master.get_termios().unwrap();
+    assert_ne!(raw.local_flags, ordinary.local_flags);
+    assert_eq!(terminal.master.get_termios().unwrap().local_flags, ordinary.local_flags);
+}
+
+#[test]
+fn a_signal_leaves_the_terminal_in_order() {
+    let mut terminal = Terminal::start(80, 30, PLAIN);
+    terminal.wait_for(program::TITLE);
+    // Sends the signal of a closed terminal.
+    terminal.child.kill().unwrap();
+    assert!(!terminal.wait_for_end());
+    terminal.assert_restored();
+}
+
+#[test]
+fn a_terminal_that_answers_nothing_is_served_too() {
+    let mut terminal = Terminal::start(80, 30, "");
+    terminal.wait_for(program::TITLE);
+}
+
+#[test]
+fn the_keyboard_moves_and_presses_the_mouse() {
+    let mut terminal = Terminal::start(80, 30, PLAIN);
+    terminal.wait_for(program::TITLE);
+    let pointer = |terminal: &Terminal| {
+        let contents = terminal.contents();
+        contents.lines().position(|line| line.contains('↖'))
+    };
+    let before = pointer(&terminal).unwrap();
+    // Ctrl and arrow up, twice: one row.
+    terminal.send("\x1b[1;5A\x1b[1;5A");
+    terminal.wait("the pointer one row higher", |terminal| pointer(terminal) == Some(before - 1));
+}
+
+/// What Kitty answers, with cells of 10x20 pixels.
+const KITTY: &str = "\x1b_Gi=31;OK\x1b\\\x1b[?0u\x1b[?1016;2$y\x1b[4;600;1000t\x1b[6;20;10t\x1b[?62;c";
+
+#[test]
+fn kitty_gets_its_graphics() {
+    let mut terminal = Terminal::start(100, 30, KITTY);
+    terminal.wait("a picture", |terminal| terminal.wrote(b"\x1b_Ga=T,f=100,"));
+    assert!(terminal.wrote(b"\x1b[?1016h") && !terminal.shows(program::TITLE));
+    terminal.send("\x03");
+    terminal.send(program::YES);
+    assert!(terminal.wait_for_end());
+    terminal.wait("the picture's deletion", |terminal| terminal.wrote(b"\x1b_Ga=d,"));
+    assert!(terminal.wrote(b"\x1b[?1016l"));
+    terminal.assert_restored();
+}
+
+#[test]
+fn sixel_terminals_get_sixel() {
+    let mut terminal = Terminal::start(80, 30, "\x1b[6;20;10t\x1b[?62;4;22c");
+    terminal.wait("a picture", |terminal| terminal.wrote(b"\x1bP0;1;0q\"1;1;640;480"));
+    terminal.send(program::KEY.0);
+    // Only the changed part is sent again.
+    terminal.wait("a part of the picture", |terminal| {
+        let output = terminal.output.lock().unwrap();
+        output.windows(8).filter(|window| window == b"\x1bP0;1;0q").count() > 1
+    });
+    assert!(!terminal.wrote(b"\x1b_Ga=T"));
+}
