@@ -184,10 +184,10 @@ impl Coefficient {
         self.changed(fourier, new)
     }
 
-    /// Name and value with what the window has no room for, in at most 18 characters.
+    /// Name and value with what the window has no room for, in at most 20 characters.
     pub(super) fn exact(self, fourier: &Fourier) -> String {
         let value = self.of(fourier);
-        // A real of the file has eleven to twelve digits.
+        // Eleven digits: as many as a real of the file keeps for sure.
         let rounded: f64 = format!("{value:.10e}").parse().unwrap_or(value);
         let plain = rounded.to_string();
         let text = if plain.len() <= 13 { plain } else { format!("{value:.5e}") };
@@ -261,7 +261,7 @@ mod tests {
         let p3 = Coefficient::new(Column::P, 3);
         let text = |value| p3.exact(&p3.changed(&Fourier::default(), value));
         assert_eq!(text(0.1 + 1e-13), "p3 = 0.1");
-        assert_eq!(text(1.0 / 3.0), "p3 = 0.3333333333");
+        assert_eq!(text(1.0 / 3.0), "p3 = 0.33333333333");
         assert_eq!(text(-1.7e38), "p3 = -1.70000e38");
     }
 
