@@ -41,6 +41,11 @@ impl Layout {
         (along(x, self.corner.0, self.shown.0, PICTURE.0), along(y, self.corner.1, self.shown.1, PICTURE.1))
     }
 
+    /// Whether a place lies in the window.
+    pub(super) fn holds(&self, x: f64, y: f64) -> bool {
+        x >= 0.0 && y >= 0.0 && x < self.window.0 as f64 && y < self.window.1 as f64
+    }
+
     /// Paints the window: one number 0RGB a pixel, row by row. Does nothing to `pixels` of another size
     /// than the layout's.
     pub(super) fn paint(&self, picture: &Screen, pixels: &mut [u32]) {

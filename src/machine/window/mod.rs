@@ -219,8 +219,11 @@ impl<'s> View<'s> {
     }
 
     fn point(&mut self, place: PhysicalPosition<f64>) {
-        if let Some(pane) = &self.pane {
-            self.moved = Some(layout_of(pane.window.inner_size()).pixel_at(place.x, place.y));
+        let Some(pane) = &self.pane else { return };
+        let layout = layout_of(pane.window.inner_size());
+        // Outside of the window the mouse is the program's business only while it drags.
+        if layout.holds(place.x, place.y) || self.held.contains(&true) {
+            self.moved = Some(layout.pixel_at(place.x, place.y));
         }
     }
 
