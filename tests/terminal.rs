@@ -214,6 +214,7 @@ fn the_keyboard_moves_and_presses_the_mouse() {
         let contents = terminal.contents();
         contents.lines().position(|line| line.contains('↖'))
     };
+    terminal.wait_for("↖");
     let before = pointer(&terminal).unwrap();
     // Ctrl and arrow up, twice: one row.
     terminal.send("\x1b[1;5A\x1b[1;5A");

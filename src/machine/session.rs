@@ -12,7 +12,7 @@ use std::cell::{Ref, RefCell};
 use std::future::Future;
 use std::pin::Pin;
 use std::rc::Rc;
-use std::task::{Context, Poll, Waker};
+use std::task::{Context, Waker};
 use std::time::Duration;
 
 /// A program as a display polls it.
@@ -149,7 +149,7 @@ impl Session {
     fn poll(&mut self) {
         let Some(program) = &mut self.program else { return };
         let mut context = Context::from_waker(Waker::noop());
-        if let Poll::Ready(_) = program.as_mut().poll(&mut context) {
+        if program.as_mut().poll(&mut context).is_ready() {
             self.program = None;
         }
     }

@@ -2,9 +2,9 @@
 
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 
-pub mod pictures;
-pub mod random;
-pub mod reference;
+pub(crate) mod pictures;
+pub(crate) mod random;
+pub(crate) mod reference;
 
 use grafika::figure::screen_png;
 use grafika::launch::Program;
@@ -14,20 +14,20 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// A file of the tests' folder.
-pub fn path(name: &str) -> PathBuf {
+pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
 }
 
 /// What a script wrote.
 #[derive(Default)]
-pub struct Kept {
-    pub pictures: BTreeMap<String, Screen>,
-    pub models: BTreeMap<String, serde_json::Value>,
+pub(crate) struct Kept {
+    pub(crate) pictures: BTreeMap<String, Screen>,
+    pub(crate) models: BTreeMap<String, serde_json::Value>,
 }
 
 impl Kept {
     /// The PNG of a picture.
-    pub fn png(&self, name: &str) -> Vec<u8> {
+    pub(crate) fn png(&self, name: &str) -> Vec<u8> {
         screen_png(&self.pictures[name]).expect("a screen is a picture")
     }
 }
@@ -45,13 +45,13 @@ impl Outlet for Kept {
 }
 
 /// Starts a program on a storage, without a file.
-pub fn session(program: Program, storage: impl Storage + 'static, settings: Settings) -> Session {
+pub(crate) fn session(program: Program, storage: impl Storage + 'static, settings: Settings) -> Session {
     let machine = Machine::new(Box::new(storage), settings);
     Session::start(machine, move |mut machine| async move { (program.run)(&mut machine, None).await })
 }
 
 /// Plays a script with a program in memory and returns what it wrote.
-pub fn play_script(program: Program, storage: Memory, script: &str) -> Kept {
+pub(crate) fn play_script(program: Program, storage: Memory, script: &str) -> Kept {
     let mut kept = Kept::default();
     let script = Script::parse(script).expect("the test's script is right");
     play(&mut session(program, storage, Settings::default()), &script, &mut kept)
@@ -60,7 +60,7 @@ pub fn play_script(program: Program, storage: Memory, script: &str) -> Kept {
 }
 
 /// A storage with files of the tests' folder.
-pub fn storage(folder: &str, names: &[&str]) -> Memory {
+pub(crate) fn storage(folder: &str, names: &[&str]) -> Memory {
     let mut storage = Memory::default();
     for name in names {
         let content = std::fs::read(path(folder).join(name)).expect("the test's file is there");

@@ -5,14 +5,14 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// A picture of 640x480 colour numbers.
-pub type Pixels = Vec<u8>;
+pub(crate) type Pixels = Vec<u8>;
 
 /// A picture of any size.
-pub struct Picture {
-    pub width: usize,
-    pub height: usize,
+pub(crate) struct Picture {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
     /// Red, green and blue, row by row from the top left.
-    pub rgb: Vec<[u8; 3]>,
+    pub(crate) rgb: Vec<[u8; 3]>,
 }
 
 /// How far a channel may be off before a pixel of a smoothed picture differs: processors round
@@ -20,7 +20,7 @@ pub struct Picture {
 const ROUNDING: u8 = 4;
 
 /// The pixels of a PNG.
-pub fn decode(png: &[u8]) -> Picture {
+pub(crate) fn decode(png: &[u8]) -> Picture {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
     decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::STRIP_16);
     let mut reader = decoder.read_info().expect("a PNG");
@@ -33,7 +33,7 @@ pub fn decode(png: &[u8]) -> Picture {
 }
 
 /// The 16-colour pixels of a PNG of 640x480; every colour becomes the nearest of the palette.
-pub fn read(path: &Path) -> Pixels {
+pub(crate) fn read(path: &Path) -> Pixels {
     let picture = decode(&content(path));
     assert_eq!((picture.width as i32, picture.height as i32), (WIDTH, HEIGHT), "{}", path.display());
     let nearest = |rgb: &[u8; 3]| {
@@ -51,10 +51,10 @@ fn content(path: &Path) -> Vec<u8> {
 
 /// Where two pictures differ.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Difference {
-    pub pixels: usize,
+pub(crate) struct Difference {
+    pub(crate) pixels: usize,
     /// Left, upper, right and lower edge of the area that holds all of them.
-    pub area: [usize; 4],
+    pub(crate) area: [usize; 4],
 }
 
 impl fmt::Display for Difference {
@@ -65,7 +65,7 @@ impl fmt::Display for Difference {
 }
 
 /// The difference of two screens, if there is one.
-pub fn difference(ours: &[u8], theirs: &[u8]) -> Option<Difference> {
+pub(crate) fn difference(ours: &[u8], theirs: &[u8]) -> Option<Difference> {
     difference_by(ours, theirs, WIDTH as usize, |a, b| a != b)
 }
 
@@ -87,14 +87,14 @@ fn difference_by<T>(
 }
 
 /// How many of all pixels agree, 0 to 1.
-pub fn agreement(ours: &[u8], theirs: &[u8]) -> f64 {
+pub(crate) fn agreement(ours: &[u8], theirs: &[u8]) -> f64 {
     let differing = difference(ours, theirs).map_or(0, |difference| difference.pixels);
     1.0 - differing as f64 / theirs.len() as f64
 }
 
 /// Compares a screen with the golden picture `tests/golden/NAME.png`. With `UPDATE_PICTURES=1` the
 /// golden picture becomes what the screen shows.
-pub fn assert_golden(name: &str, screen: &Screen) {
+pub(crate) fn assert_golden(name: &str, screen: &Screen) {
     let png = || grafika::figure::screen_png(screen).expect("a screen is a picture");
     if let Err(problem) = compare(name, screen, &golden(name, png)) {
         panic!("{problem}");
@@ -103,7 +103,7 @@ pub fn assert_golden(name: &str, screen: &Screen) {
 
 /// Compares a PNG of any size with the golden picture, pixel by pixel but for rounding, as
 /// [`assert_golden`] does with screens.
-pub fn assert_golden_png(name: &str, png: &[u8]) {
+pub(crate) fn assert_golden_png(name: &str, png: &[u8]) {
     let ours = decode(png);
     let theirs = decode(&content(&golden(name, || png.to_vec())));
     let sizes = [(ours.width, ours.height), (theirs.width, theirs.height)];
@@ -125,7 +125,7 @@ fn golden(name: &str, png: impl FnOnce() -> Vec<u8>) -> PathBuf {
 }
 
 /// Compares a screen with a picture; a difference is told with where both lie side by side.
-pub fn compare(name: &str, screen: &Screen, golden: &Path) -> Result<(), String> {
+pub(crate) fn compare(name: &str, screen: &Screen, golden: &Path) -> Result<(), String> {
     let theirs = read(golden);
     match difference(screen.pixels(), &theirs) {
         None => Ok(()),
@@ -137,7 +137,7 @@ pub fn compare(name: &str, screen: &Screen, golden: &Path) -> Result<(), String>
 }
 
 /// Writes two screens side by side into the folder of build results.
-pub fn keep_both(name: &str, ours: &[u8], theirs: &[u8]) -> PathBuf {
+pub(crate) fn keep_both(name: &str, ours: &[u8], theirs: &[u8]) -> PathBuf {
     let [ours, theirs] = [ours, theirs]
         .map(|pixels| pixels.iter().map(|&index| Color::from_index(index).rgb()).collect::<Vec<_>>());
     keep_beside(name, WIDTH as usize, &ours, &theirs)

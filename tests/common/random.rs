@@ -11,14 +11,14 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 /// A small generator (SplitMix64), so that a seed gives the same events everywhere.
-pub struct Dice(u64);
+pub(crate) struct Dice(u64);
 
 impl Dice {
-    pub fn new(seed: u64) -> Dice {
+    pub(crate) fn new(seed: u64) -> Dice {
         Dice(seed)
     }
 
-    pub fn below(&mut self, bound: u64) -> u64 {
+    pub(crate) fn below(&mut self, bound: u64) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut word = self.0;
         word = (word ^ (word >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -90,7 +90,7 @@ fn event(dice: &mut Dice) -> Event {
 }
 
 /// A random script of so many events, with a picture at the end.
-pub fn script(seed: u64, events: usize) -> String {
+pub(crate) fn script(seed: u64, events: usize) -> String {
     let mut dice = Dice::new(seed);
     let mut text = String::new();
     let written = Shared::default();
@@ -103,7 +103,7 @@ pub fn script(seed: u64, events: usize) -> String {
 }
 
 /// Sends random events to a program, which is started again whenever it ends.
-pub fn storm(program: Program, events: usize) {
+pub(crate) fn storm(program: Program, events: usize) {
     let start = || session(program, Memory::default(), Settings::default());
     let mut dice = Dice::new(1997);
     let mut running = start();
@@ -125,7 +125,7 @@ pub fn storm(program: Program, events: usize) {
 }
 
 /// Plays a script while it is recorded, plays the recording, and compares the screens.
-pub fn assert_replays(program: Program, script: &str) {
+pub(crate) fn assert_replays(program: Program, script: &str) {
     let run = |script: &str, recorder: Option<Recorder>| -> Session {
         let mut running = session(program, Memory::default(), Settings::default());
         if let Some(recorder) = recorder {
@@ -147,7 +147,7 @@ pub fn assert_replays(program: Program, script: &str) {
 
 /// A place to write that is looked into afterwards.
 #[derive(Clone, Default)]
-pub struct Shared(pub Rc<RefCell<Vec<u8>>>);
+pub(crate) struct Shared(pub(crate) Rc<RefCell<Vec<u8>>>);
 
 impl Write for Shared {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {

@@ -37,7 +37,7 @@ fn compare_all(program: Program, folder: &str, prefix: &str) -> (usize, Vec<Stri
 }
 
 /// Fails unless there are so many scripts whose names begin so, and each gives the original's screen.
-pub fn assert_screens(program: Program, folder: &str, prefix: &str, count: usize) {
+pub(crate) fn assert_screens(program: Program, folder: &str, prefix: &str, count: usize) {
     let (scripts, problems) = compare_all(program, folder, prefix);
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     assert_eq!(scripts, count);

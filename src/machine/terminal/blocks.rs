@@ -73,12 +73,13 @@ const POINTER: Cell = Cell { ch: '↖', ink: Color::White.index(), paper: Color:
 pub(super) fn grid(screen: &Screen, pointer: Option<(i32, i32)>, place: Place) -> Vec<Cell> {
     let letters: Vec<Letter> = screen.letters().collect();
     let bare = without(screen, &letters);
+    let thin = lines(&bare);
     let columns = edges(place.width, WIDTH as usize);
     let rows = edges(place.height, HEIGHT as usize);
     let mut cells = Vec::with_capacity(place.width * place.height);
     for row in rows.windows(2) {
         for column in columns.windows(2) {
-            cells.push(cell(&bare, (column[0], column[1]), (row[0], row[1])));
+            cells.push(cell(&bare, &thin, (column[0], column[1]), (row[0], row[1])));
         }
     }
     write_texts(&mut cells, &letters, place);
@@ -130,38 +131,79 @@ fn most(counts: &[u32; 16]) -> u8 {
     counts.iter().position(|&count| count == highest).unwrap_or_default() as u8
 }
 
+/// Runs of equal pixels shorter than this, in rows or columns, belong to a line and not to an area.
+const AREA: usize = 4;
+
+/// Which pixels belong to lines.
+fn lines(pixels: &[u8]) -> Vec<bool> {
+    let width = WIDTH as usize;
+    let mut thin = vec![false; pixels.len()];
+    for (row, marks) in pixels.chunks(width).zip(thin.chunks_mut(width)) {
+        let mut start = 0;
+        for run in row.chunk_by(|a, b| a == b) {
+            if run.len() < AREA {
+                marks[start..start + run.len()].fill(true);
+            }
+            start += run.len();
+        }
+    }
+    // The length of the run above every pixel of the row that is being looked at.
+    let mut above = vec![0usize; width];
+    for (y, row) in pixels.chunks(width).enumerate() {
+        let next = pixels.get((y + 1) * width..).unwrap_or(&[]);
+        for (x, index) in row.iter().enumerate() {
+            above[x] += 1;
+            if next.get(x) != Some(index) {
+                for up in (0..above[x]).filter(|_| above[x] < AREA) {
+                    thin[(y - up) * width + x] = true;
+                }
+                above[x] = 0;
+            }
+        }
+    }
+    thin
+}
+
+/// The pixels of one cell or of a quarter of it, by colour: all of them, and those of lines.
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    all: [u32; 16],
+    thin: [u32; 16],
+}
+
+impl Counts {
+    /// Whether a quarter shows ink: a line counts however little it covers, an area has to fill half.
+    fn inked(&self, paper: u8, cell_width: usize) -> bool {
+        let other = |counts: &[u32; 16]| counts.iter().sum::<u32>() - counts[usize::from(paper)];
+        // More than half of what a line across a quarter covers.
+        other(&self.thin) as usize > cell_width / 4 || other(&self.all) * 2 > self.all.iter().sum()
+    }
+}
+
 /// The character that comes nearest to a rectangle of the picture.
-fn cell(pixels: &[u8], (left, right): (usize, usize), (top, bottom): (usize, usize)) -> Cell {
+fn cell(pixels: &[u8], thin: &[bool], (left, right): (usize, usize), (top, bottom): (usize, usize)) -> Cell {
     let (middle, center) = ((left + right).div_ceil(2), (top + bottom).div_ceil(2));
-    let mut quarters = [[0u32; 16]; 4];
-    for y in top..bottom {
-        let row = pixels.get(y * WIDTH as usize..).unwrap_or(&[]);
-        for x in left..right {
-            let quarter = usize::from(x >= middle) + 2 * usize::from(y >= center);
-            let index = row.get(x).copied().unwrap_or_default();
-            quarters[quarter][usize::from(index & 15)] += 1;
-        }
-    }
+    let mut quarters = [Counts::default(); 4];
     let mut counts = [0u32; 16];
-    for quarter in &quarters {
-        counts.iter_mut().zip(quarter).for_each(|(sum, count)| *sum += count);
-    }
-    let total: u32 = counts.iter().sum();
-    let paper = most(&counts);
-    counts[usize::from(paper)] = 0;
-    let other: u32 = counts.iter().sum();
-    let ink = if other == 0 { paper } else { most(&counts) };
-    // A thin line covers little of a quarter, and must show all the same; an area has to fill half of it.
-    let thin = other * 5 <= total * 2;
-    let mut mask = 0usize;
-    for (bit, quarter) in quarters.iter().enumerate() {
-        let all: u32 = quarter.iter().sum();
-        let inked = all - quarter[usize::from(paper)];
-        if if thin { inked >= 3 } else { inked * 2 > all } {
-            mask |= 1 << bit;
+    let mut weights = [0u32; 16];
+    for y in top..bottom {
+        for x in left..right {
+            let at = y * WIDTH as usize + x;
+            let index = usize::from(pixels.get(at).copied().unwrap_or_default() & 15);
+            let line = u32::from(thin.get(at).copied().unwrap_or_default());
+            let quarter = &mut quarters[usize::from(x >= middle) + 2 * usize::from(y >= center)];
+            quarter.all[index] += 1;
+            quarter.thin[index] += line;
+            counts[index] += 1;
+            // Of two colours beside the paper's, that of a line is likely to be the one that is looked for.
+            weights[index] += 1 + 3 * line;
         }
     }
-    match mask {
+    let paper = most(&counts);
+    weights[usize::from(paper)] = 0;
+    let ink = if weights == [0; 16] { paper } else { most(&weights) };
+    let bits = quarters.iter().enumerate().filter(|(_, quarter)| quarter.inked(paper, right - left));
+    match bits.fold(0usize, |mask, (bit, _)| mask | 1 << bit) {
         0 => Cell { ch: ' ', ink: paper, paper },
         15 => Cell { ch: ' ', ink, paper: ink },
         mask => Cell { ch: QUARTERS[mask], ink, paper },

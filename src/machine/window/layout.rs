@@ -32,9 +32,9 @@ impl Layout {
 
     /// The pixel of the picture under a place of the window; a place outside of the picture belongs to
     /// the picture's nearest pixel.
-    pub(super) fn pixel_at(&self, x: f32, y: f32) -> (i32, i32) {
-        let along = |place: f32, corner: usize, shown: usize, size: usize| {
-            let pixel = (place - corner as f32) * size as f32 / shown as f32;
+    pub(super) fn pixel_at(&self, x: f64, y: f64) -> (i32, i32) {
+        let along = |place: f64, corner: usize, shown: usize, size: usize| {
+            let pixel = (place - corner as f64) * size as f64 / shown as f64;
             // The conversion saturates and turns a NaN into 0.
             (pixel.floor() as i32).clamp(0, size as i32 - 1)
         };
@@ -42,19 +42,22 @@ impl Layout {
     }
 
     /// Whether a place lies in the window.
-    pub(super) fn holds(&self, x: f32, y: f32) -> bool {
-        x >= 0.0 && y >= 0.0 && x < self.window.0 as f32 && y < self.window.1 as f32
+    pub(super) fn holds(&self, x: f64, y: f64) -> bool {
+        x >= 0.0 && y >= 0.0 && x < self.window.0 as f64 && y < self.window.1 as f64
     }
 
-    /// Paints the window: one number 0RGB a pixel, row by row.
-    pub(super) fn paint(&self, picture: &Screen, pixels: &mut Vec<u32>) {
+    /// Paints the window: one number 0RGB a pixel, row by row. Does nothing to `pixels` of another size
+    /// than the layout's.
+    pub(super) fn paint(&self, picture: &Screen, pixels: &mut [u32]) {
+        if pixels.len() != self.window.0 * self.window.1 {
+            return;
+        }
         let palette = Color::ALL.map(|color| {
             let [red, green, blue] = color.rgb();
             u32::from_be_bytes([0, red, green, blue])
         });
         let sources: Vec<usize> = (0..self.shown.0).map(|x| x * PICTURE.0 / self.shown.0).collect();
-        pixels.clear();
-        pixels.resize(self.window.0 * self.window.1, 0);
+        pixels.fill(0);
         let mut painted: Option<(usize, usize)> = None;
         for row in 0..self.shown.1 {
             let source = row * PICTURE.1 / self.shown.1;
@@ -108,8 +111,8 @@ mod tests {
         let mut picture = Screen::new();
         picture.set(0, 0, Color::Yellow);
         picture.set(639, 479, Color::Brown);
-        let mut pixels = Vec::new();
         let layout = Layout::of((1283, 965));
+        let mut pixels = vec![7; 1283 * 965];
         layout.paint(&picture, &mut pixels);
         let at = |x: usize, y: usize| pixels[y * 1283 + x];
         assert_eq!([at(1, 2), at(2, 3), at(3, 3), at(0, 2), at(1, 1)], [0xFF_FF55, 0xFF_FF55, 0, 0, 0]);
@@ -120,10 +123,10 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(24))]
         #[test]
         fn any_window_shows_and_maps_the_whole_picture(
-            width in 0usize..1500, height in 0usize..1100, x in -10.0f32..1600.0, y in -10.0f32..1200.0,
+            width in 0usize..1500, height in 0usize..1100, x in -10.0f64..1600.0, y in -10.0f64..1200.0,
         ) {
             let layout = Layout::of((width, height));
-            let mut pixels = Vec::new();
+            let mut pixels = vec![7; layout.window.0 * layout.window.1];
             let mut picture = Screen::new();
             picture.clear(Color::White);
             layout.paint(&picture, &mut pixels);

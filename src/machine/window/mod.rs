@@ -1,51 +1,43 @@
 //! The display in a window of the desktop: sharp pixels by whole factors, the keys of the user's layout,
 //! the mouse in the coordinates of the picture.
 //!
-//! The loop sleeps between looks at the window and paints only what changed. What the windowing library
-//! leaves out is made up for here: it cannot take back a close button or resize a window, so that the
-//! window is opened anew for these; and it tells a mouse button's state, not its history, so that a click
-//! shorter than [`ACTIVE_PAUSE`] goes unseen.
+//! The window sleeps until the desktop tells something or the session's deadline has come, and paints
+//! only a picture that has changed. It knows nothing of what the program draws.
 
 mod keys;
 mod layout;
 
 use super::event::{Button, Event, Key};
 use super::session::{Clock, Session};
-use crate::screen::{HEIGHT, Screen, WIDTH};
-use keys::{Heard, Keyboard, Telling};
+use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use keys::Stroke;
 use layout::Layout;
-use minifb::{HasWindowHandle, MouseButton, MouseMode, Scale, ScaleMode};
-use raw_window_handle::RawWindowHandle;
 use std::fmt;
-use std::time::{Duration, Instant};
+use std::num::NonZeroU32;
+use std::rc::Rc;
+use winit::application::ApplicationHandler;
+use winit::dpi::{PhysicalPosition, PhysicalSize};
+use winit::event::{ElementState, MouseButton, MouseScrollDelta, Touch, TouchPhase, WindowEvent};
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, OwnedDisplayHandle};
+use winit::keyboard::ModifiersState;
+use winit::platform::run_on_demand::EventLoopExtRunOnDemand;
+use winit::window::{Fullscreen, Icon, Window, WindowId};
 
-/// Time between looks at the window while the user is busy or something moves.
-pub const ACTIVE_PAUSE: Duration = Duration::from_millis(4);
+/// The key that fills the whole desktop and goes back; programs do not get it.
+pub const FULL_SCREEN_KEY: Key = Key::F(11);
 
-/// Time between looks at the window when nothing has happened for [`BUSY`].
-const IDLE_PAUSE: Duration = Duration::from_millis(12);
-
-/// How long the user counts as busy after the last event.
-const BUSY: Duration = Duration::from_secs(2);
-
-/// Time between paintings of an unchanged picture where a window uncovered by another one says nothing.
-const REPAINT: Duration = Duration::from_secs(1);
-
-/// The key that switches to the largest scale and back; programs do not get it.
-pub const FULL_SCALE_KEY: Key = Key::F(11);
+/// The largest scale that a window can be opened with: 16 is more than any desktop shows.
+pub const LARGEST_SCALE: u32 = 16;
 
 /// What a window is opened with.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct WindowOptions {
     /// The program's name, for the title bar.
     pub title: String,
-    /// Pixels of the window to a pixel of the picture; `None` takes 2 where the desktop has room for it,
-    /// else 1.
+    /// Pixels of the window to a pixel of the picture, 1 to [`LARGEST_SCALE`]; `None` takes 2 (more on a
+    /// desktop of fine pixels) where there is room for it, else 1.
     pub scale: Option<u32>,
 }
-
-/// The largest scale that a window can be opened with: 16 is more than any desktop shows.
-pub const LARGEST_SCALE: u32 = 16;
 
 /// What can go wrong with a window.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +56,7 @@ impl fmt::Display for WindowError {
             WindowError::Scale(scale) => {
                 write!(
                     f,
-                    "the window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}"
+                    "a window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}"
                 )
             }
             WindowError::Open(message) => {
@@ -84,282 +76,330 @@ pub fn window_possible() -> bool {
     cfg!(any(windows, target_os = "macos")) || named("DISPLAY") || named("WAYLAND_DISPLAY")
 }
 
-/// Runs a session in a window until its program has ended. The close button reaches the program as
-/// [`Event::Close`]; the window stays as long as the program goes on.
+/// The connection to the desktop. A process can have one only, so that whoever shows several sessions
+/// one after the other keeps it.
+#[derive(Debug)]
+pub struct Desktop {
+    events: EventLoop<()>,
+}
+
+impl Desktop {
+    /// Connects to the desktop, from the main thread.
+    ///
+    /// # Errors
+    /// [`WindowError::Open`] when there is no desktop, or when a connection was opened before.
+    pub fn connect() -> Result<Desktop, WindowError> {
+        // The windowing library panics over a system library that is missing; that must not keep a
+        // caller from showing the terminal instead.
+        let connected = std::panic::catch_unwind(EventLoop::new);
+        match connected {
+            Ok(Ok(events)) => Ok(Desktop { events }),
+            Ok(Err(error)) => Err(WindowError::Open(reason(&error))),
+            Err(_) => Err(WindowError::Open("a library of the desktop is missing".to_string())),
+        }
+    }
+
+    /// Runs a session in a window until its program has ended. The close button reaches the program as
+    /// [`Event::Close`]; the window stays as long as the program goes on.
+    ///
+    /// # Errors
+    /// [`WindowError`] when the window cannot be opened or painted.
+    pub fn run(&mut self, session: &mut Session, options: &WindowOptions) -> Result<(), WindowError> {
+        if let Some(scale) = options.scale.filter(|scale| !(1..=LARGEST_SCALE).contains(scale)) {
+            return Err(WindowError::Scale(scale));
+        }
+        let display = self.events.owned_display_handle();
+        let mut view = View::new(session, options, display);
+        let ran = self.events.run_app_on_demand(&mut view);
+        match view.problem {
+            Some(problem) => Err(problem),
+            None => ran.map_err(|error| WindowError::Open(reason(&error))),
+        }
+    }
+}
+
+/// Runs one session in a window: [`Desktop::connect`] and [`Desktop::run`].
 ///
 /// # Errors
 /// [`WindowError`] when the window cannot be opened or painted.
 pub fn run(session: &mut Session, options: &WindowOptions) -> Result<(), WindowError> {
-    let mut view = View::open(options)?;
-    let clock = Clock::start();
-    let mut last_change = Instant::now();
-    let mut ran = true;
-    while !session.ended() {
-        if ran {
-            last_change = Instant::now();
-            view.take(session.picture());
-        }
-        view.show()?;
-        let events = view.events()?;
-        let now = clock.now();
-        ran = !events.is_empty() || session.deadline().is_some_and(|deadline| deadline <= now);
-        session.advance(now);
-        for event in events {
-            session.send(event, now);
-        }
-        if view.closing && !session.ended() {
-            view.reopen(view.size)?;
-        }
-        let busy = last_change.elapsed() < BUSY;
-        let longest = if busy { ACTIVE_PAUSE } else { IDLE_PAUSE };
-        let rest = clock.due(session).map(|due| due.saturating_duration_since(Instant::now()));
-        std::thread::sleep(rest.unwrap_or(longest).min(longest));
-    }
-    Ok(())
+    Desktop::connect()?.run(session, options)
 }
 
-/// How large a window is opened.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Size {
-    /// With a frame, of this many pixels.
-    Pixels(usize, usize),
-    /// Without a frame, by the largest whole factor that the desktop holds.
-    Largest,
+/// An open window and its surface to paint on.
+struct Pane {
+    window: Rc<Window>,
+    surface: softbuffer::Surface<OwnedDisplayHandle, Rc<Window>>,
 }
 
-/// A window and what it shows.
-struct View {
-    title: String,
-    window: minifb::Window,
-    heard: Heard,
-    keyboard: Keyboard,
-    /// Whether the system tells when a part of the window has to be painted again.
-    repaints: bool,
-    size: Size,
-    /// The size to go back to from the largest.
-    former: (usize, usize),
+/// A session as a window shows it.
+struct View<'s> {
+    session: &'s mut Session,
+    options: &'s WindowOptions,
+    display: OwnedDisplayHandle,
+    clock: Clock,
+    pane: Option<Pane>,
+    /// The picture that the window shows, or is about to be painted with.
     picture: Screen,
-    /// The layout and the time of the last painting, unless the picture has changed since then.
-    painted: Option<(Layout, Instant)>,
-    pixels: Vec<u32>,
-    mouse: (i32, i32),
-    buttons: [bool; 3],
-    active: bool,
-    closing: bool,
+    modifiers: ModifiersState,
+    /// Where the mouse has moved since the program was told last.
+    moved: Option<(i32, i32)>,
+    held: [bool; 3],
+    /// Parts of a wheel's notch that have not made a whole one.
+    turned: f64,
+    problem: Option<WindowError>,
 }
 
-impl View {
-    fn open(options: &WindowOptions) -> Result<View, WindowError> {
-        let scale = match options.scale {
-            Some(scale @ 1..=LARGEST_SCALE) => scale,
-            Some(scale) => return Err(WindowError::Scale(scale)),
-            None => likely_scale()?,
-        };
-        let former = scaled(scale);
-        let size = Size::Pixels(former.0, former.1);
-        let window = open_window(&options.title, size)?;
-        let mut view = View {
-            title: options.title.clone(),
-            keyboard: Keyboard::new(telling(&window)),
-            repaints: tells_exposure(&window),
-            window,
-            heard: Heard::default(),
-            size,
-            former,
-            picture: Screen::new(),
-            painted: None,
-            pixels: Vec::new(),
-            mouse: (-1, -1),
-            buttons: [false; 3],
-            active: false,
-            closing: false,
-        };
-        view.prepare();
-        Ok(view)
-    }
-
-    /// Puts a new window of a size in the place of the old one.
-    fn reopen(&mut self, size: Size) -> Result<(), WindowError> {
-        let place = self.window.get_position();
-        let same = self.size == size;
-        // A window that was resized by hand keeps its size.
-        let opened = match size {
-            Size::Pixels(..) if same => Size::Pixels(self.window.get_size().0, self.window.get_size().1),
-            size => size,
-        };
-        let mut window = open_window(&self.title, opened)?;
-        if same && place != (0, 0) {
-            window.set_position(place.0, place.1);
+impl<'s> View<'s> {
+    fn new(session: &'s mut Session, options: &'s WindowOptions, display: OwnedDisplayHandle) -> View<'s> {
+        View {
+            picture: session.picture(),
+            session,
+            options,
+            display,
+            clock: Clock::start(),
+            pane: None,
+            modifiers: ModifiersState::empty(),
+            moved: None,
+            held: [false; 3],
+            turned: 0.0,
+            problem: None,
         }
-        // The new window is there before the old one goes, so that the desktop shows no gap.
-        self.window = window;
-        self.size = size;
-        self.closing = false;
-        self.prepare();
-        Ok(())
     }
 
-    fn prepare(&mut self) {
-        // The loop keeps the time.
-        self.window.set_target_fps(0);
-        self.window.set_cursor_visibility(false);
-        self.heard = Heard::default();
-        self.window.set_input_callback(Box::new(self.heard.clone()));
-        self.keyboard.let_go();
-        self.active = false;
-        self.painted = None;
+    /// Tells the program one event, after the mouse's last place.
+    fn send(&mut self, event: Event) {
+        let now = self.clock.now();
+        if let Some((x, y)) = self.moved.take() {
+            self.session.send(Event::Move(x, y), now);
+        }
+        self.session.send(event, now);
     }
 
-    /// Takes the picture to show from now on.
-    fn take(&mut self, picture: Screen) {
+    fn open(&self, desktop: &ActiveEventLoop) -> Result<Pane, WindowError> {
+        let scale = self.options.scale.unwrap_or_else(|| likely_scale(desktop));
+        let attributes = Window::default_attributes()
+            .with_title(&self.options.title)
+            .with_window_icon(icon())
+            .with_inner_size(PhysicalSize::new(WIDTH as u32 * scale, HEIGHT as u32 * scale));
+        let attributes = named(attributes, &self.options.title);
+        let window = desktop.create_window(attributes).map_err(|error| WindowError::Open(reason(&error)))?;
+        let window = Rc::new(window);
+        // The picture has a pointer of its own.
+        window.set_cursor_visible(false);
+        let surface = softbuffer::Context::new(self.display.clone())
+            .and_then(|context| softbuffer::Surface::new(&context, Rc::clone(&window)))
+            .map_err(|error| WindowError::Open(error.to_string()))?;
+        Ok(Pane { window, surface })
+    }
+
+    fn paint(&mut self) -> Result<(), softbuffer::SoftBufferError> {
+        let Some(pane) = &mut self.pane else { return Ok(()) };
+        let size = pane.window.inner_size();
+        let (Some(width), Some(height)) = (NonZeroU32::new(size.width), NonZeroU32::new(size.height)) else {
+            // A window that is folded away has no pixels.
+            return Ok(());
+        };
+        pane.surface.resize(width, height)?;
+        let mut pixels = pane.surface.buffer_mut()?;
+        layout_of(size).paint(&self.picture, &mut pixels);
+        pane.window.pre_present_notify();
+        pixels.present()
+    }
+
+    /// Asks for a painting when the picture has changed.
+    fn refresh(&mut self) {
+        let picture = self.session.picture();
         if picture != self.picture {
             self.picture = picture;
-            self.painted = None;
+            if let Some(pane) = &self.pane {
+                pane.window.request_redraw();
+            }
         }
     }
 
-    /// Looks at the window, and paints it if anything has changed.
-    fn show(&mut self) -> Result<(), WindowError> {
-        let layout = Layout::of(self.window.get_size());
-        let fresh = |&(place, when): &(Layout, Instant)| {
-            place == layout && (self.repaints || when.elapsed() < REPAINT)
+    fn point(&mut self, place: PhysicalPosition<f64>) {
+        let Some(pane) = &self.pane else { return };
+        let layout = layout_of(pane.window.inner_size());
+        // Outside of the window the mouse is the program's business only while it drags.
+        if layout.holds(place.x, place.y) || self.held.contains(&true) {
+            self.moved = Some(layout.pixel_at(place.x, place.y));
+        }
+    }
+
+    fn button(&mut self, button: Button, state: ElementState) {
+        let down = state == ElementState::Pressed;
+        // A press and its release always come in pairs, whatever the desktop leaves out.
+        if std::mem::replace(&mut self.held[button as usize], down) != down {
+            self.send(if down { Event::Press(button) } else { Event::Release(button) });
+        }
+    }
+
+    fn wheel(&mut self, delta: MouseScrollDelta) {
+        /// Pixels that a touchpad moves to a notch of a wheel.
+        const NOTCH: f64 = 40.0;
+        self.turned += match delta {
+            MouseScrollDelta::LineDelta(_, notches) => f64::from(notches),
+            MouseScrollDelta::PixelDelta(distance) => distance.y / NOTCH,
         };
-        if self.painted.as_ref().is_some_and(fresh) {
-            self.window.update();
-            return Ok(());
-        }
-        layout.paint(&self.picture, &mut self.pixels);
-        let (width, height) = layout.window;
-        self.painted = Some((layout, Instant::now()));
-        self.window
-            .update_with_buffer(&self.pixels, width, height)
-            .map_err(|error| WindowError::Paint(error.to_string()))
-    }
-
-    /// What the user did since the last look, in the order of mouse, keys, buttons, wheel.
-    fn events(&mut self) -> Result<Vec<Event>, WindowError> {
-        let mut events = Vec::new();
-        let layout = Layout::of(self.window.get_size());
-        events.extend(self.moved(layout));
-        let told = self.heard.take();
-        let keys = self.keyboard.keys(&told, Instant::now());
-        events.extend(keys.iter().filter(|&&key| key != FULL_SCALE_KEY).map(|&key| Event::Key(key)));
-        events.extend(self.pressed());
-        events.extend(self.wheel());
-        let active = self.window.is_active();
-        if self.active && !active {
-            self.keyboard.let_go();
-        }
-        self.active = active;
-        if !self.window.is_open() {
-            self.closing = true;
-            events.extend(self.release_all());
-            events.push(Event::Close);
-        } else if keys.contains(&FULL_SCALE_KEY) {
-            events.extend(self.release_all());
-            self.toggle_size()?;
-        }
-        Ok(events)
-    }
-
-    fn moved(&mut self, layout: Layout) -> Option<Event> {
-        let (x, y) = self.window.get_unscaled_mouse_pos(MouseMode::Pass)?;
-        // A mouse that is busy elsewhere on the desktop is none of the program's business.
-        if !layout.holds(x, y) && !self.buttons.contains(&true) {
-            return None;
-        }
-        let place = layout.pixel_at(x, y);
-        (std::mem::replace(&mut self.mouse, place) != place).then_some(Event::Move(place.0, place.1))
-    }
-
-    fn pressed(&mut self) -> Vec<Event> {
-        const BUTTONS: [(MouseButton, Button); 3] = [
-            (MouseButton::Left, Button::Left),
-            (MouseButton::Right, Button::Right),
-            (MouseButton::Middle, Button::Middle),
-        ];
-        let mut events = Vec::new();
-        for ((known, button), held) in BUTTONS.into_iter().zip(&mut self.buttons) {
-            let down = self.window.get_mouse_down(known);
-            if down != *held {
-                *held = down;
-                events.push(if down { Event::Press(button) } else { Event::Release(button) });
-            }
-        }
-        events
-    }
-
-    fn release_all(&mut self) -> Vec<Event> {
-        let buttons = Button::ALL.into_iter().zip(std::mem::take(&mut self.buttons));
-        buttons.filter(|&(_, held)| held).map(|((_, button), _)| Event::Release(button)).collect()
-    }
-
-    fn wheel(&self) -> Option<Event> {
-        let (_, turned) = self.window.get_scroll_wheel()?;
-        // Systems count a notch as anything from 1 to 15, and Wayland counts the other way round.
-        let away = if self.keyboard.telling() == Telling::KeyLast { -turned } else { turned };
-        let notches = if self.repaints { away.signum() } else { away.round() };
         // The conversion saturates.
-        Some(notches as i32).filter(|&steps| steps != 0).map(Event::Wheel)
+        let steps = self.turned.trunc() as i32;
+        if steps != 0 {
+            self.turned = self.turned.fract();
+            self.send(Event::Wheel(steps));
+        }
     }
 
-    fn toggle_size(&mut self) -> Result<(), WindowError> {
-        match self.size {
-            Size::Pixels(..) => {
-                self.former = self.window.get_size();
-                self.reopen(Size::Largest)
+    /// A finger is a mouse with its left button down.
+    fn touch(&mut self, touch: &Touch) {
+        self.point(touch.location);
+        match touch.phase {
+            TouchPhase::Started => self.button(Button::Left, ElementState::Pressed),
+            TouchPhase::Ended | TouchPhase::Cancelled => self.button(Button::Left, ElementState::Released),
+            TouchPhase::Moved => {}
+        }
+    }
+
+    fn key(&mut self, stroke: &Stroke, repeated: bool) {
+        for key in stroke.keys() {
+            if key != FULL_SCREEN_KEY {
+                self.send(Event::Key(key));
+            } else if let (Some(pane), false) = (&self.pane, repeated) {
+                let full = pane.window.fullscreen().is_some();
+                pane.window.set_fullscreen((!full).then_some(Fullscreen::Borderless(None)));
             }
-            Size::Largest => self.reopen(Size::Pixels(self.former.0, self.former.1)),
+        }
+    }
+
+    fn event(&mut self, event: WindowEvent) {
+        match event {
+            WindowEvent::CloseRequested => self.send(Event::Close),
+            WindowEvent::Resized(_) => {
+                if let Some(pane) = &self.pane {
+                    pane.window.request_redraw();
+                }
+            }
+            WindowEvent::RedrawRequested => {
+                if let Err(error) = self.paint() {
+                    self.problem = Some(WindowError::Paint(error.to_string()));
+                }
+            }
+            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
+            // A synthetic press is a key that was already down when the window got the keyboard.
+            WindowEvent::KeyboardInput { event, is_synthetic: false, .. }
+                if event.state == ElementState::Pressed =>
+            {
+                let stroke = Stroke {
+                    logical: event.logical_key,
+                    physical: event.physical_key,
+                    text: event.text,
+                    modifiers: self.modifiers,
+                };
+                self.key(&stroke, event.repeat);
+            }
+            WindowEvent::CursorMoved { position, .. } => self.point(position),
+            WindowEvent::MouseInput { state, button: MouseButton::Left, .. } => {
+                self.button(Button::Left, state);
+            }
+            WindowEvent::MouseInput { state, button: MouseButton::Right, .. } => {
+                self.button(Button::Right, state);
+            }
+            WindowEvent::MouseInput { state, button: MouseButton::Middle, .. } => {
+                self.button(Button::Middle, state);
+            }
+            WindowEvent::MouseWheel { delta, .. } => self.wheel(delta),
+            WindowEvent::Touch(touch) => self.touch(&touch),
+            _ => {}
         }
     }
 }
 
-fn scaled(scale: u32) -> (usize, usize) {
-    // No overflow: the scale is at most 16.
-    ((WIDTH as u32 * scale) as usize, (HEIGHT as u32 * scale) as usize)
-}
+impl ApplicationHandler for View<'_> {
+    fn resumed(&mut self, desktop: &ActiveEventLoop) {
+        if self.pane.is_none() {
+            match self.open(desktop) {
+                Ok(pane) => self.pane = Some(pane),
+                Err(problem) => self.problem = Some(problem),
+            }
+        }
+    }
 
-fn open_window(title: &str, size: Size) -> Result<minifb::Window, WindowError> {
-    let framed = size != Size::Largest;
-    let (width, height) = match size {
-        Size::Pixels(width, height) => (width, height),
-        Size::Largest => scaled(1),
-    };
-    let options = minifb::WindowOptions {
-        borderless: !framed,
-        title: framed,
-        resize: true,
-        scale: if framed { Scale::X1 } else { Scale::FitScreen },
-        scale_mode: ScaleMode::UpperLeft,
-        ..minifb::WindowOptions::default()
-    };
-    minifb::Window::new(title, width.max(1), height.max(1), options)
-        .map_err(|error| WindowError::Open(error.to_string()))
-}
+    fn window_event(&mut self, _: &ActiveEventLoop, window: WindowId, event: WindowEvent) {
+        // A window of an earlier session may have something left to say.
+        if self.pane.as_ref().is_some_and(|pane| pane.window.id() == window) {
+            self.event(event);
+        }
+    }
 
-/// 2 where the desktop has room for it beside bars and frames, else 1. The library tells the desktop's
-/// size only by the size of a window that fits it.
-fn likely_scale() -> Result<u32, WindowError> {
-    let roomy = (WIDTH as usize + 10, HEIGHT as usize + 30);
-    let options = minifb::WindowOptions {
-        borderless: true,
-        title: false,
-        scale: Scale::FitScreen,
-        ..minifb::WindowOptions::default()
-    };
-    let window = minifb::Window::new("", roomy.0, roomy.1, options)
-        .map_err(|error| WindowError::Open(error.to_string()))?;
-    Ok(if window.get_size().0 >= 2 * roomy.0 { 2 } else { 1 })
-}
-
-fn telling(window: &minifb::Window) -> Telling {
-    match window.window_handle().map(|handle| handle.as_raw()) {
-        Ok(RawWindowHandle::Wayland(_)) => Telling::KeyLast,
-        _ => Telling::KeyFirst,
+    fn about_to_wait(&mut self, desktop: &ActiveEventLoop) {
+        let now = self.clock.now();
+        if let Some((x, y)) = self.moved.take() {
+            self.session.send(Event::Move(x, y), now);
+        }
+        self.session.advance(now);
+        if self.session.ended() || self.problem.is_some() {
+            self.pane = None;
+            desktop.exit();
+            return;
+        }
+        self.refresh();
+        desktop.set_control_flow(match self.clock.due(self.session) {
+            Some(moment) => ControlFlow::WaitUntil(moment),
+            None => ControlFlow::Wait,
+        });
     }
 }
 
-/// X11 forgets what a covered window showed, and the library does not ask to be told.
-fn tells_exposure(window: &minifb::Window) -> bool {
-    !matches!(window.window_handle().map(|handle| handle.as_raw()), Ok(RawWindowHandle::Xlib(_)))
+fn layout_of(size: PhysicalSize<u32>) -> Layout {
+    Layout::of((size.width as usize, size.height as usize))
+}
+
+/// An error of the windowing library without the line of the library's source that found it.
+fn reason(error: &dyn fmt::Display) -> String {
+    let text = error.to_string();
+    let message = text.split_once(".rs:").and_then(|(_, rest)| rest.split_once(": "));
+    message.map_or(text.as_str(), |(_, message)| message).trim_end_matches('.').to_string()
+}
+
+/// The scale for a desktop: 2 where its pixels are of the usual size, more where they are finer, but never
+/// more than fits beside bars and frames.
+fn likely_scale(desktop: &ActiveEventLoop) -> u32 {
+    let monitor = desktop.primary_monitor().or_else(|| desktop.available_monitors().next());
+    let Some(monitor) = monitor else { return 1 };
+    let size = monitor.size();
+    let wanted = (2.0 * monitor.scale_factor()).round() as u32;
+    let room = (size.width / WIDTH as u32).min(size.height.saturating_sub(64) / HEIGHT as u32);
+    wanted.min(room).clamp(1, LARGEST_SCALE)
+}
+
+/// Gives a window the name by which desktops group windows and find their icons.
+#[cfg(all(unix, not(target_os = "macos")))]
+fn named(attributes: winit::window::WindowAttributes, name: &str) -> winit::window::WindowAttributes {
+    use winit::platform::{wayland::WindowAttributesExtWayland, x11::WindowAttributesExtX11};
+    let attributes = WindowAttributesExtX11::with_name(attributes, name, name);
+    WindowAttributesExtWayland::with_name(attributes, name, name)
+}
+
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+fn named(attributes: winit::window::WindowAttributes, _: &str) -> winit::window::WindowAttributes {
+    attributes
+}
+
+/// A wave through four control points, on the colour of the programs' background.
+fn icon() -> Option<Icon> {
+    const SIDE: i32 = 32;
+    let mut picture = Screen::new();
+    picture.bar(0, 0, SIDE - 1, SIDE - 1, Color::LightCyan);
+    let wave = |x: i32| 15 - (f64::from(x - 15) * 0.22).sin().mul_add(9.0, 0.0).round() as i32;
+    let points: Vec<(i32, i32)> = (2..SIDE - 2).map(|x| (x, wave(x))).collect();
+    picture.polyline(&points, crate::screen::Stroke::thick(Color::Blue));
+    for x in [3, 11, 20, 28] {
+        picture.disc(x, wave(x), 2, Color::Yellow, Color::Black);
+    }
+    let pixels = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+    let rgba = pixels.filter_map(|(x, y)| picture.pixel(x, y)).flat_map(|color| {
+        let [red, green, blue] = color.rgb();
+        [red, green, blue, 255]
+    });
+    Icon::from_rgba(rgba.collect(), SIDE as u32, SIDE as u32).ok()
 }
