@@ -224,7 +224,7 @@ fn json_holds_what_the_dos_format_cannot() {
         ..CurveSettings::default()
     };
     let points = vec![[-1000.25, 5.0], [1e300, 0.0]];
-    assert_eq!(document, Document::PlanePoints(PlanePoints { points, tangents: None, settings }));
+    assert_eq!(document, Document::PlanePoints(PlanePoints { points, settings, ..PlanePoints::default() }));
     assert_eq!(Document::from_json(&document.to_json().unwrap()), Ok(document.clone()));
 
     let refusal = document.write(Format::Ip2).unwrap_err().to_string();

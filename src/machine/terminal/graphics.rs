@@ -157,7 +157,7 @@ mod tests {
             ((490, 368), Part { left: 0, top: 0, right: 490, bottom: 368 }),
         ] {
             let pixels = scaled(&picture(), size);
-            let decoded = icy_sixel::sixel_decode(&sixel(&pixels, size.0, part)).unwrap();
+            let decoded = icy_sixel::SixelImage::decode(&sixel(&pixels, size.0, part)).unwrap();
             // The decoder counts whole bands.
             let bands = (part.bottom - part.top).next_multiple_of(6);
             assert_eq!((decoded.width, decoded.height), (part.right - part.left, bands));
