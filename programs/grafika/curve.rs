@@ -3,8 +3,8 @@
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::editor::fourier;
-use grafika::file::{CurveSettings, Document, Method as MethodName};
-use grafika::geometry::{Closure, Curve, Fourier, GeometryError, Method, Point};
+use grafika::file::{CurveSettings, Document, Method as MethodName, PlanePoints};
+use grafika::geometry::{Closure, Curve, Fourier, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
 use grafika::launch::{Failure, Opened, open};
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ use std::path::PathBuf;
 pub(crate) struct CurveArgs {
     /// A data file or a built-in sample with control points
     file: PathBuf,
-    /// Method; without it the one that a JSON file names
+    /// Method; without it the one that the file implies or, in JSON, names
     #[arg(long, value_parser = method_names())]
     method: Option<String>,
     /// Join the last point to the first
@@ -30,65 +30,81 @@ pub(crate) struct CurveArgs {
     tension: Option<f64>,
 }
 
-/// Control points in the plane or in space with their curve.
+/// A curve with what it is made of.
 pub(crate) enum Curved {
-    /// In the plane.
+    /// By control points of the plane.
     Plane(Vec<Point<2>>, Curve<2>),
-    /// In space.
+    /// By control points of the plane, a beta-spline whose joints differ in shape.
+    Varying(Vec<Point<2>>, VaryingBeta<2>),
+    /// By control points in space.
     Space(Vec<Point<3>>, Curve<3>),
-}
-
-/// What points can be computed of.
-pub(crate) enum Sampled {
-    /// A curve by control points.
-    Controlled(Curved),
-    /// A curve by Fourier coefficients, in one span.
+    /// By Fourier coefficients, in one span.
     Fourier(Fourier<2>),
 }
 
 impl CurveArgs {
-    /// Opens the file and makes the curve that it describes, by control points or by coefficients.
-    pub(crate) fn sampled(&self) -> Result<Sampled, Failure> {
-        let opened = open(&self.file)?;
-        let Document::Fourier(coefficients) = &opened.document else {
-            return self.controlled(&opened).map(Sampled::Controlled);
-        };
-        let named = self.method.as_deref().and_then(MethodName::from_name);
-        if named.is_some_and(|method| method != MethodName::Fourier) {
-            return Err(Failure::usage(format!(
-                "{}: coefficients of a Fourier curve have no other method than fourier",
-                opened.name
-            )));
-        }
-        let curve = fourier::curve(coefficients);
-        curve.map(Sampled::Fourier).map_err(|error| Failure::work(format!("{}: {error}", opened.name)))
-    }
-
-    /// Opens the file and makes the curve by its control points.
-    #[allow(dead_code, reason = "for commands that need control points")]
+    /// Opens the file and makes the curve that it describes.
     pub(crate) fn curve(&self) -> Result<Curved, Failure> {
-        self.controlled(&open(&self.file)?)
-    }
-
-    /// The curve by the control points of a file.
-    fn controlled(&self, opened: &Opened) -> Result<Curved, Failure> {
+        let opened = open(&self.file)?;
         let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
-        match opened.document {
-            Document::PlanePoints(ref plane) => {
-                let (method, closure) = self.choice(&plane.settings)?;
-                let curve = Curve::through(method, closure, &plane.points).map_err(failure)?;
-                Ok(Curved::Plane(plane.points.clone(), curve))
+        match &opened.document {
+            Document::Fourier(coefficients) => {
+                self.refuse_other_than(MethodName::Fourier, &opened)?;
+                fourier::curve(coefficients).map(Curved::Fourier).map_err(failure)
             }
-            Document::SpacePoints(ref space) => {
+            Document::PlanePoints(plane) => {
+                let curve = self.plane(plane)?;
+                curve.map_err(failure)
+            }
+            Document::SpacePoints(space) => {
                 let (method, closure) = self.choice(&space.settings)?;
                 let curve = Curve::through(method, closure, &space.points).map_err(failure)?;
                 Ok(Curved::Space(space.points.clone(), curve))
             }
             _ => Err(Failure::work(format!(
-                "{}: this file holds no control points of a curve; .IP2, .IC2 and .IP3 do",
+                "{}: this file holds no curve; .IP2, .IC2, .IP3 and .GBP do",
                 opened.name
             ))),
         }
+    }
+
+    fn named(&self) -> Option<MethodName> {
+        self.method.as_deref().and_then(MethodName::from_name)
+    }
+
+    fn refuse_other_than(&self, only: MethodName, opened: &Opened) -> Result<(), Failure> {
+        match self.named() {
+            Some(other) if other != only => Err(Failure::usage(format!(
+                "{}: coefficients of a Fourier curve have no other method than fourier",
+                opened.name
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// The curve by points of the plane; where the file has tangents or shapes of joints, by these.
+    fn plane(&self, plane: &PlanePoints) -> Result<Result<Curved, GeometryError>, Failure> {
+        let points = plane.points.clone();
+        let named = self.named().or(plane.settings.method);
+        match (&plane.tangents, &plane.joints) {
+            (Some(tangents), _) if named.is_none_or(|name| name == MethodName::Hermite) => {
+                let arcs = hermite_arcs(self.closure(&plane.settings), &points, tangents);
+                Ok(arcs.map(|arcs| Curved::Plane(points, Curve::Piecewise(arcs))))
+            }
+            (_, Some(joints)) if named.is_none_or(|name| name == MethodName::Beta) => {
+                let curve = VaryingBeta::new(self.closure(&plane.settings), &points, joints);
+                Ok(curve.map(|curve| Curved::Varying(points, curve)))
+            }
+            _ => {
+                let (method, closure) = self.choice(&plane.settings)?;
+                Ok(Curve::through(method, closure, &points).map(|curve| Curved::Plane(points, curve)))
+            }
+        }
+    }
+
+    fn closure(&self, settings: &CurveSettings) -> Closure {
+        let closed = self.closed || settings.closed.unwrap_or(false);
+        if closed { Closure::Closed } else { Closure::Open }
     }
 
     /// The method and form, from the command line or else from the file.
@@ -96,8 +112,7 @@ impl CurveArgs {
         let k0 = self.k0.or(settings.k0).unwrap_or(0.5);
         let bias = self.bias.or(settings.bias).unwrap_or(1.0);
         let tension = self.tension.or(settings.tension).unwrap_or(0.0);
-        let named = self.method.as_deref().and_then(MethodName::from_name);
-        let method = match named.or(settings.method) {
+        let method = match self.named().or(settings.method) {
             Some(MethodName::Coons) => Method::Coons { k0 },
             Some(MethodName::Bezier) => Method::Bezier,
             Some(MethodName::Spline) => Method::Spline,
@@ -105,15 +120,15 @@ impl CurveArgs {
             Some(MethodName::BSpline3) => Method::BSpline3,
             Some(MethodName::Beta) => Method::Beta { bias, tension },
             Some(MethodName::Local) => Method::Local { k0 },
-            Some(MethodName::Hermite | MethodName::Fourier) => {
-                return Err(Failure::usage(
-                    "this method needs more than control points; give another --method",
-                ));
+            Some(MethodName::Hermite) => {
+                return Err(Failure::usage("hermite needs tangents, as an .IC2 file with its .EC2 has them"));
+            }
+            Some(MethodName::Fourier) => {
+                return Err(Failure::usage("fourier needs coefficients, as a .GBP file has them"));
             }
             None => return Err(Failure::usage("which method? Give --method, as in --method spline")),
         };
-        let closed = self.closed || settings.closed.unwrap_or(false);
-        Ok((method, if closed { Closure::Closed } else { Closure::Open }))
+        Ok((method, self.closure(settings)))
     }
 }
 

@@ -4,7 +4,8 @@ use crate::curve::{CurveArgs, Curved};
 use crate::sample::extension;
 use clap::Args;
 use grafika::figure::{Figure, LARGEST_WIDTH, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
-use grafika::geometry::{BoundingBox, Closure, CubicBezier, Curve, Point};
+use grafika::file::SPACE_VIEW;
+use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, View};
 use grafika::launch::{Failure, write_output};
 use std::path::PathBuf;
 
@@ -41,26 +42,37 @@ pub(crate) struct Render {
     #[arg(long)]
     title: Option<String>,
     /// Direction from which a space curve is seen [default: 0.7,0.2,0.3]
-    #[arg(long, value_name = "A,B,C", value_parser = view, allow_hyphen_values = true)]
-    view: Option<View>,
+    #[arg(long, value_name = "A,B,C", value_parser = direction, allow_hyphen_values = true)]
+    view: Option<Point<3>>,
 }
 
 impl Render {
     /// Draws and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let format = Format::of(&self.output)?;
-        let figure = match self.curve.curve()? {
-            Curved::Plane(..) if self.view.is_some() => {
-                return Err(Failure::usage(
-                    "--view is for space curves; this file holds points of the plane",
-                ));
+        let curved = self.curve.curve()?;
+        if self.view.is_some() && !matches!(curved, Curved::Space(..)) {
+            return Err(Failure::usage("--view is for space curves; this file holds a curve of the plane"));
+        }
+        let figure = match curved {
+            Curved::Plane(points, curve) => {
+                let tolerance = tolerance(curve.bounding_box());
+                self.figure(&points, curve.to_cubics(tolerance).map_err(Failure::work)?)
             }
-            Curved::Plane(points, curve) => self.figure(&points, arcs(&curve)?),
+            Curved::Varying(points, curve) => {
+                let tolerance = tolerance(BoundingBox::of_points(&points));
+                self.figure(&points, curve.to_cubics(tolerance).map_err(Failure::work)?)
+            }
+            Curved::Fourier(curve) => {
+                let tolerance = tolerance(Some(curve.bounding_box()));
+                self.figure(&[], curve.to_cubics(tolerance).map_err(Failure::work)?)
+            }
             Curved::Space(points, curve) => {
-                let view = self.view.unwrap_or(View::BOOK);
-                let points: Vec<Point<2>> = points.iter().map(|&point| view.project(point)).collect();
-                let arcs = arcs(&curve)?.into_iter();
-                let arcs = arcs.map(|arc| CubicBezier { p: arc.p.map(|p| view.project(p)) });
+                let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
+                let points: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
+                let arcs = curve.to_cubics(tolerance(curve.bounding_box())).map_err(Failure::work)?;
+                // The projection is linear: it takes arcs to arcs.
+                let arcs = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(|p| view.place(p)) });
                 self.figure(&points, arcs.collect())
             }
         };
@@ -90,13 +102,12 @@ impl Render {
     }
 }
 
-/// The curve as cubic arcs: exact, but for Bézier curves of a higher degree.
-fn arcs<const D: usize>(curve: &Curve<D>) -> Result<Vec<CubicBezier<D>>, Failure> {
-    let bounds = curve.bounding_box().unwrap_or(BoundingBox::of_point([0.0; D]));
+/// How far the arcs of a picture may be from a curve that is no row of cubics.
+fn tolerance<const D: usize>(bounds: Option<BoundingBox<D>>) -> f64 {
+    let bounds = bounds.unwrap_or(BoundingBox::of_point([0.0; D]));
     let extent = bounds.size().into_iter().fold(0.0_f64, f64::max);
     let largest = bounds.min.iter().chain(&bounds.max).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let tolerance = (TOLERANCE * extent).max(LEAST_TOLERANCE * largest).max(f64::MIN_POSITIVE);
-    curve.to_cubics(tolerance).map_err(Failure::work)
+    (TOLERANCE * extent).max(LEAST_TOLERANCE * largest).max(f64::MIN_POSITIVE)
 }
 
 /// A curve that returns to its beginning is closed; rounding does not count.
@@ -123,26 +134,8 @@ impl Format {
     }
 }
 
-/// The direction towards the eye.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct View([f64; 3]);
-
-impl View {
-    /// Where the book's programs begin.
-    const BOOK: View = View([0.7, 0.2, 0.3]);
-
-    /// Orthogonal projection of space onto the plane across the direction: the third axis points
-    /// upwards, lengths across are kept.
-    fn project(self, [x, y, z]: Point<3>) -> Point<2> {
-        let View([a, b, c]) = self;
-        let across = a.hypot(b);
-        let length = across * across.hypot(c);
-        [(a * y - b * x) / across, (across * across * z - c * (a * x + b * y)) / length]
-    }
-}
-
 /// Reads a direction as three numbers, scaled to 1, not straight from above or below.
-fn view(text: &str) -> Result<View, String> {
+fn direction(text: &str) -> Result<Point<3>, String> {
     let wanted = "give three numbers A,B,C, of which A or B is not 0, as in 0.7,0.2,0.3";
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse::<f64>()).collect();
     let numbers: [f64; 3] = numbers.ok().and_then(|numbers| numbers.try_into().ok()).ok_or(wanted)?;
@@ -150,7 +143,7 @@ fn view(text: &str) -> Result<View, String> {
     let [a, b, c] = numbers.map(|x| x / largest);
     // Not NaN, and steep enough to be divided by.
     if a.hypot(b) >= 1e-6 && [a, b, c].iter().all(|x| x.is_finite()) {
-        Ok(View([a, b, c]))
+        Ok([a, b, c])
     } else {
         Err(wanted.into())
     }
@@ -161,22 +154,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn projection_keeps_lengths_across_the_direction() {
-        let view = view("0.7, 0.2,0.3").unwrap();
-        let View([a, b, c]) = view;
-        // The direction itself is a point, whatever is across keeps its length.
-        let close = |[x, y]: Point<2>, want: Point<2>| (x - want[0]).hypot(y - want[1]) < 1e-15;
-        assert!(close(view.project([a, b, c]), [0.0, 0.0]));
-        assert!(close(view.project([-b, a, 0.0]), [b.hypot(a), 0.0]));
-        let up = [-a * c, -b * c, a * a + b * b];
-        assert!(close(view.project(up), [0.0, up[0].hypot(up[1]).hypot(up[2])]));
-    }
-
-    #[test]
     fn directions_are_checked() {
-        assert_eq!(view("-7,2,3"), Ok(View([-1.0, 2.0 / 7.0, 3.0 / 7.0])));
+        assert_eq!(direction("-7,2,3"), Ok([-1.0, 2.0 / 7.0, 3.0 / 7.0]));
         for text in ["", "1,2", "1,2,3,4", "a,b,c", "0,0,1", "0,0,0", "nan,1,1", "inf,1,1", "1e-300,0,1"] {
-            assert!(view(text).is_err(), "{text}");
+            assert!(direction(text).is_err(), "{text}");
         }
     }
 }

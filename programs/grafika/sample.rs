@@ -1,6 +1,6 @@
 //! `grafika sample`: points of a curve as CSV or JSON.
 
-use crate::curve::{CurveArgs, Curved, Sampled};
+use crate::curve::{CurveArgs, Curved};
 use clap::Args;
 use grafika::figure::{curve_csv, curve_json};
 use grafika::geometry::{GeometryError, Sample as Place};
@@ -24,10 +24,11 @@ impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let steps = self.per_span as usize;
-        let text = match self.curve.sampled()? {
-            Sampled::Controlled(Curved::Plane(_, curve)) => self.text(curve.sample(steps)),
-            Sampled::Controlled(Curved::Space(_, curve)) => self.text(curve.sample(steps)),
-            Sampled::Fourier(curve) => self.text(curve.sample(steps)),
+        let text = match self.curve.curve()? {
+            Curved::Plane(_, curve) => self.text(curve.sample(steps)),
+            Curved::Varying(_, curve) => self.text(curve.sample(steps)),
+            Curved::Space(_, curve) => self.text(curve.sample(steps)),
+            Curved::Fourier(curve) => self.text(curve.sample(steps)),
         }?;
         write_output(self.output.as_deref(), text.as_bytes())
     }
