@@ -58,24 +58,32 @@ pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pi
     match (tools, &sketch.tangents, &sketch.joints) {
         (Tools::Tangents, Some(tangents), _) => {
             let curve = Curve::Piecewise(hermite_arcs(closure, sketch.points(), tangents)?);
-            Ok(Pixels { line: screen_line(&curve.polyline(TANGENT_STEPS)?), joints: Vec::new() })
+            Ok(Pixels { line: screen_line(curve.polyline(TANGENT_STEPS)?), joints: Vec::new() })
         }
         (Tools::Beta, _, Some(joints)) => {
             let curve = VaryingBeta::new(closure, sketch.points(), joints)?;
             let points = (0..curve.spans()).flat_map(|span| curve.span_points(span, BETA_STEPS));
-            Ok(Pixels { line: points.map(to_screen).collect(), joints: screen_line(&curve.joints()) })
+            Ok(Pixels { line: screen_line(points), joints: places(curve.joints()) })
         }
         (Tools::Beta, ..) => {
             let choice = Choice { closure, method: sketch.shape.method() };
             let joints = beta::joints(&choice.curve(sketch.points())?, closure);
-            Ok(Pixels { line: screen_line(&choice.polyline(sketch.points())?), joints: screen_line(&joints) })
+            Ok(Pixels { line: screen_line(choice.polyline(sketch.points())?), joints: places(joints) })
         }
-        _ => Ok(Pixels { line: screen_line(&choice.polyline(sketch.points())?), joints: Vec::new() }),
+        _ => Ok(Pixels { line: screen_line(choice.polyline(sketch.points())?), joints: Vec::new() }),
     }
 }
 
-fn screen_line(points: &[Point<2>]) -> Vec<(i32, i32)> {
-    points.iter().copied().map(to_screen).collect()
+/// The pixels of points, one for each.
+fn places(points: Vec<Point<2>>) -> Vec<(i32, i32)> {
+    points.into_iter().map(to_screen).collect()
+}
+
+/// The pixels that a polyline goes through. Fine steps fall on the same pixel many times; once is enough.
+fn screen_line(points: impl IntoIterator<Item = Point<2>>) -> Vec<(i32, i32)> {
+    let mut pixels: Vec<_> = points.into_iter().map(to_screen).collect();
+    pixels.dedup();
+    pixels
 }
 
 /// Draws a curve with a thick line and its joints with small discs.

@@ -1,0 +1,117 @@
+//! How quickly the programs answer: from the start to the first picture, and one redraw with 99 points.
+//!
+//! Goals: start to first picture in a script 30 ms; GB_2D_IP with a closed spline by 99 points 1 ms; the other
+//! curve programs at 99 points and 500 samples a span 2 ms; reading an `.IP2` 20 µs.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use grafika::editor::{plane, space};
+use grafika::file::{Document, Format, PlanePoints, SpacePoints};
+use grafika::machine::{Event, Machine, Memory, Outlet, Quit, Script, Session, Settings, Storage, play};
+use grafika::screen::Screen;
+use grafika::ui::{Manual, Words};
+use std::hint::black_box;
+use std::process::Command;
+use std::time::Duration;
+
+const MANUAL: Manual = Manual { name: "bench", about: Words("", ""), keys: &[] };
+
+/// Takes nothing.
+struct Nowhere;
+
+impl Outlet for Nowhere {
+    fn picture(&mut self, _: &str, _: &Screen) -> Result<(), String> {
+        Ok(())
+    }
+    fn text(&mut self, _: &str, _: &str) -> Result<(), String> {
+        Ok(())
+    }
+}
+
+/// 99 points on a rose of the field.
+fn rose() -> Vec<[f64; 2]> {
+    (0..99)
+        .map(|k| {
+            let angle = std::f64::consts::TAU * f64::from(k) / 99.0;
+            let radius = 140.0 + 40.0 * (9.0 * angle).cos();
+            [(280.0 + 1.4 * radius * angle.cos()).round(), (190.0 + radius * angle.sin()).round()]
+        })
+        .collect()
+}
+
+fn stored() -> Memory {
+    let mut memory = Memory::default();
+    let plane = Document::PlanePoints(PlanePoints::new(rose()));
+    let space =
+        rose().iter().zip(0..).map(|(&[x, y], k)| [x - 280.0, y - 190.0, f64::from(k % 40)]).collect();
+    let space = Document::SpacePoints(SpacePoints::new(space));
+    for (name, document, format) in [
+        ("ROSE.IP2", &plane, Format::Ip2),
+        ("ROSE.IC2", &plane, Format::Ic2),
+        ("ROSE.IP3", &space, Format::Ip3),
+    ] {
+        memory.write(name, &document.write(format).expect("99 points fit")).expect("memory takes all");
+    }
+    memory
+}
+
+/// A session of a program after a script.
+fn session<F: Future<Output = Result<(), Quit>> + 'static>(
+    program: impl FnOnce(Machine) -> F,
+    script: &str,
+) -> Session {
+    let mut session = Session::start(Machine::new(Box::new(stored()), Settings::default()), program);
+    play(&mut session, &Script::parse(script).expect("a right script"), &mut Nowhere)
+        .expect("nothing is written");
+    session
+}
+
+fn plane_session(tools: plane::Tools, script: &str) -> Session {
+    session(move |mut machine| async move { plane::run(&mut machine, MANUAL, tools, None).await }, script)
+}
+
+fn space_session(tools: space::Tools, script: &str) -> Session {
+    session(move |mut machine| async move { space::run(&mut machine, MANUAL, tools, None).await }, script)
+}
+
+fn redraws(c: &mut Criterion) {
+    let mut group = c.benchmark_group("redraw, 99 points");
+    let load = "type trose\nkey Enter\n";
+    let mut bench = |name: &str, mut session: Session| {
+        let mut x = 0;
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                x = (x + 1) % 20;
+                session.send(black_box(Event::Move(300 + x, 20)), Duration::ZERO);
+            });
+        });
+    };
+    bench("gb_2d_ip, closed spline", plane_session(plane::Tools::Methods, &format!("{load}type gz3")));
+    bench("gb_2d_ip, closed Bézier", plane_session(plane::Tools::Methods, &format!("{load}type gz2")));
+    bench("gb_2d_ch, closed", plane_session(plane::Tools::Tangents, &format!("{load}key N\ntype gz\nkey N")));
+    bench("gb_2d_bt, closed", plane_session(plane::Tools::Beta, &format!("{load}type gz")));
+    bench("gb_3d_ip, closed spline", space_session(space::Tools::Methods, &format!("{load}type gz3")));
+    bench("gb_3d_bt, closed", space_session(space::Tools::Beta, &format!("{load}type gz")));
+}
+
+fn start(c: &mut Criterion) {
+    let folder = std::env::temp_dir();
+    let script = folder.join("grafika-bench-start.script");
+    let picture = folder.join("grafika-bench-start.png");
+    std::fs::write(&script, format!("shot {}\n", picture.display())).expect("a temporary file");
+    c.bench_function("start to first picture in a script", |bencher| {
+        bencher.iter(|| {
+            let status = Command::new(env!("CARGO_BIN_EXE_gb_2d_ip")).arg("--script").arg(&script).status();
+            assert!(status.expect("the program starts").success());
+        });
+    });
+}
+
+fn reading(c: &mut Criterion) {
+    let content = stored().read("ROSE.IP2").expect("it was stored");
+    c.bench_function("read an .IP2", |bencher| {
+        bencher.iter(|| Document::read(Format::Ip2, black_box(&content)))
+    });
+}
+
+criterion_group!(benches, redraws, start, reading);
+criterion_main!(benches);
