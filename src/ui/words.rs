@@ -173,14 +173,27 @@ pub(crate) const WRONG_CONTENT: Words = Words(
     "Ebben a fileban nem síkbeli kontrollpontok vannak",
     "This file holds no control points of the plane",
 );
-pub(crate) const OUTSIDE_FIELD: Words = Words(
-    "Pont a mezőn kívül, vagy 99-nél több pont; a mező x = 0...560, y = 0...380",
-    "A point outside the field, or more than 99 points; the field is x = 0...560, y = 0...380",
-);
 
 /// There is no point of a number; `count` is the largest.
 pub(crate) fn no_such_point(count: usize) -> Phrase {
     Phrase::new(format!("Nincs ilyen pont: 1...{count}"), format!("No such point: 1...{count}"))
+}
+
+/// A point of a file, counted from 1, does not lie in the field.
+pub(crate) fn outside_field(number: usize, [x, y]: [f64; 2]) -> Phrase {
+    let field = "x = 0...560, y = 0...380";
+    Phrase::new(
+        format!("{number}. pont ({x}; {y}) a mezőn kívül van; a mező {field}"),
+        format!("point {number} ({x}; {y}) lies outside the field, which is {field}"),
+    )
+}
+
+/// A file has more points than the editor can hold.
+pub(crate) fn too_many_points(count: usize) -> Phrase {
+    Phrase::new(
+        format!("{count} pont; legfeljebb 99 lehet"),
+        format!("{count} points; there can be at most 99"),
+    )
 }
 
 /// Whether a file that exists shall be overwritten.

@@ -3,6 +3,7 @@
 
 use super::{Drawing, Editor, Sketch, Tools};
 use crate::editor::configuration::read_document;
+use crate::editor::drawing::Place;
 use crate::file::{CurveSettings, Document, FileKind, Format, Method, PlanePoints};
 use crate::geometry::Closure;
 use crate::machine::Storage;
@@ -18,7 +19,11 @@ pub fn check(document: &Document) -> Result<(), Phrase> {
 
 fn drawing_of(document: &Document) -> Result<(&PlanePoints, Drawing), Phrase> {
     let Document::PlanePoints(plane) = document else { return Err(words::WRONG_CONTENT.into()) };
-    let drawing = Drawing::new(plane.points.clone()).ok_or(words::OUTSIDE_FIELD)?;
+    let outside = plane.points.iter().position(|point| !point.fits());
+    let drawing = Drawing::new(plane.points.clone()).ok_or_else(|| match outside {
+        Some(index) => words::outside_field(index + 1, plane.points[index]),
+        None => words::too_many_points(plane.points.len()),
+    })?;
     Ok((plane, drawing))
 }
 
