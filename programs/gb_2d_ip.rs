@@ -9,8 +9,8 @@ use std::process::ExitCode;
 const MANUAL: Manual = Manual {
     name: "gb_2d_ip",
     about: Words(
-        "Síkgörbék kontrollpontokkal: Coons, Bézier, spline, B-spline",
-        "Plane curves by control points: Coons, Bézier, spline, B-spline",
+        "Síkgörbék: Coons, Bézier, spline, B-spline",
+        "Plane curves: Coons, Bézier, spline, B-spline",
     ),
     keys: Tools::Methods.keys(),
 };

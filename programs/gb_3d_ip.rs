@@ -9,8 +9,8 @@ use std::process::ExitCode;
 const MANUAL: Manual = Manual {
     name: "gb_3d_ip",
     about: Words(
-        "Térgörbék kontrollpontokkal: Coons, Bézier, spline, B-spline",
-        "Curves in space by control points: Coons, Bézier, spline, B-spline",
+        "Térgörbék: Coons, Bézier, spline, B-spline",
+        "Curves in space: Coons, Bézier, spline, B-spline",
     ),
     keys: space::METHOD_KEYS,
 };

@@ -89,3 +89,22 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
         (PROGRAMS[chosen].run)(machine, None).await?;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_fits_into_the_menu() {
+        assert!(line(PROGRAMS.len() - 1).y2 < 432);
+        for program in PROGRAMS {
+            let Words(hungarian, english) = program.manual.about;
+            assert!(program.manual.name.len() <= 10, "{}", program.manual.name);
+            assert!(
+                hungarian.chars().count() <= 60 && english.chars().count() <= 60,
+                "{}",
+                program.manual.name
+            );
+        }
+    }
+}
