@@ -191,6 +191,83 @@ fn closing_with_unsaved_changes_asks_first() {
     assert!(ended("type gn1\nclose\nkey N"));
 }
 
+/// Plays a script with the editor opened on a document, as the command line opens it.
+fn play_opened(document: grafika::file::Document, script: &str) -> Kept {
+    let mut kept = Kept::default();
+    let script = grafika::machine::Script::parse(script).unwrap();
+    let machine = grafika::machine::Machine::new(Box::new(Memory::default()), Default::default());
+    let mut session = grafika::machine::Session::start(machine, move |mut machine| async move {
+        (PROGRAM.run)(&mut machine, Some(document)).await
+    });
+    grafika::machine::play(&mut session, &script, &mut kept).unwrap();
+    kept
+}
+
+/// The noisy measurement of section 2.3.8.
+fn measurement() -> grafika::file::Document {
+    let bytes = std::fs::read(common::path("../data/Y.IP2")).unwrap();
+    grafika::file::Document::read(grafika::file::Format::Ip2, &bytes).unwrap()
+}
+
+#[test]
+fn the_workshop_shows_the_smoothed_points() {
+    let kept = play_opened(measurement(), "key F5\nshot hu.png\nkey F2\nshot en.png");
+    pictures::assert_golden("ip_workshop", &kept.pictures["hu.png"]);
+    pictures::assert_golden("ip_workshop_english", &kept.pictures["en.png"]);
+}
+
+#[test]
+fn the_workshop_takes_the_smoothed_points_over_in_one_change() {
+    let script = "dump before.json\nkey F5\nkey Enter\ndump taken.json\nkey Ctrl+Z\ndump undone.json\n\
+        key Ctrl+Z\nkey Ctrl+Y\ndump end.json";
+    let kept = play_opened(measurement(), script);
+    assert_eq!(kept.models["undone.json"], kept.models["before.json"]);
+    assert_eq!(kept.models["taken.json"], kept.models["end.json"]);
+    assert_eq!(kept.models["taken.json"]["unsaved"], true);
+    let grafika::file::Document::PlanePoints(measured) = measurement() else { panic!() };
+    let smoothed = grafika::geometry::smooth(&measured.points, Default::default()).unwrap();
+    let rounded: Vec<[f64; 2]> = smoothed.points.iter().map(|p| p.map(f64::round_ties_even)).collect();
+    assert_eq!(points(&kept), rounded);
+}
+
+#[test]
+fn the_workshop_left_by_escape_leaves_everything_as_it_was() {
+    // A closed curve that follows, and curves compared with it.
+    let before = "key F3\ntype gz3\nkey F4\ntype 14\nkey Enter\nwait 5000\n";
+    let left = play_six(&format!("{before}key F5\ntype t1\nkey Esc"));
+    let never = play_six(before);
+    assert_eq!(left.models["end.json"], never.models["end.json"]);
+    assert_eq!(left.png("end.png"), never.png("end.png"));
+}
+
+#[test]
+fn the_workshop_needs_points_and_can_be_closed_from() {
+    let kept =
+        play_script(PROGRAM, Memory::default(), "key U\nkey F5\nshot end.png\nkey Enter\ndump end.json");
+    pictures::assert_golden("ip_workshop_empty", &kept.pictures["end.png"]);
+    assert!(points(&kept).is_empty());
+    let mut session = common::session(PROGRAM, Memory::default(), Default::default());
+    let script = format!("{SIX}key F4\ntype 1\nkey Enter\nkey F5\nclose\nkey Esc\ndump end.json");
+    let script = grafika::machine::Script::parse(&script).unwrap();
+    let mut kept = Kept::default();
+    grafika::machine::play(&mut session, &script, &mut kept).unwrap();
+    assert!(!session.ended());
+    assert_eq!(kept.models["end.json"]["compared"], serde_json::json!(["coons"]));
+}
+
+#[test]
+fn measured_points_are_opened_from_csv_with_their_fractions() {
+    let csv = "x,y\n0,10.5\n100.25,20\n200,15.125\n300,25\n";
+    let document = grafika::file::Document::from_csv(csv).unwrap();
+    assert!((PROGRAM.check)(&document).is_ok());
+    let kept = play_opened(document, "dump end.json\nkey F5\nkey Enter\ndump taken.json");
+    assert_eq!(points(&kept), [[0.0, 10.5], [100.25, 20.0], [200.0, 15.125], [300.0, 25.0]]);
+    let taken = kept.models["taken.json"]["points"].to_string();
+    assert_eq!(taken, "[[0.0,10.0],[100.0,17.0],[200.0,19.0],[300.0,25.0]]");
+    let outside = grafika::file::Document::from_csv("x,y\n0,0\n561,0\n2,2\n").unwrap();
+    assert!((PROGRAM.check)(&outside).is_err());
+}
+
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
     let script = common::random::script(7, 3000);

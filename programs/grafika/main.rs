@@ -18,6 +18,7 @@ mod curve;
 mod menu;
 mod render;
 mod sample;
+mod smooth;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -62,6 +63,8 @@ enum Command {
     Render(render::Render),
     /// Convert a data file into another format, by the extensions
     Convert(convert::Convert),
+    /// Smooth measured points by a B-spline and a Bézier curve, and tell the residuals
+    Smooth(smooth::Smooth),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]
     Program(Vec<OsString>),
@@ -84,6 +87,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Sample(sample)) => sample.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Convert(convert)) => convert.run(),
+        Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Program(words)) => run_program(words),
     }
 }

@@ -336,3 +336,18 @@ pub(crate) fn no_such_coefficient(numbers: &std::ops::RangeInclusive<usize>) -> 
     let (first, last) = (numbers.start(), numbers.end());
     Phrase::new(format!("Nincs ilyen: {first}...{last}"), format!("No such number: {first}...{last}"))
 }
+
+// The workshop of measured points.
+pub(crate) const HELP_WORKSHOP: Words = Words(
+    "mérési pontok simítása (2.3.8): Enter átveszi",
+    "smooth measured points (2.3.8): Enter takes over",
+);
+pub(crate) const TAKE_OVER: Words = Words("Enter - átvesz  ESC - vissza", "Enter - take   ESC - back");
+
+/// How far smoothed points are from the measured ones; `at` is the number of the farthest.
+pub(crate) fn residuals(rms: f64, largest: f64, at: usize) -> Phrase {
+    Phrase::new(
+        format!("RMS {rms:.2}, max. {largest:.2} ({at}.)"),
+        format!("RMS {rms:.2}, max. {largest:.2} (no. {at})"),
+    )
+}

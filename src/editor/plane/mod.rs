@@ -13,6 +13,7 @@ mod picture;
 mod sketch;
 mod tangents;
 mod tools;
+mod workshop;
 
 pub use files::{check, with_twin};
 pub use sketch::Sketch;
@@ -258,6 +259,7 @@ impl Editor {
         match (number, self.tools) {
             (3, _) => self.shown.toggle_follow(desk),
             (4, Tools::Methods) => self.compare(desk).await?,
+            (5, Tools::Methods) => self.open_workshop(desk).await?,
             (5, Tools::Beta) => self.change_joint(desk).await?,
             (6, Tools::Beta) => self.make_joints_alike(desk),
             _ => {}

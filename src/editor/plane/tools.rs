@@ -65,6 +65,7 @@ const METHOD_KEYS: &[KeyHelp] = &[
     QUIT,
     FOLLOW,
     (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE),
+    (Words("F5", "F5"), words::HELP_WORKSHOP),
     SAVE,
 ];
 

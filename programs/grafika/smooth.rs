@@ -1,0 +1,100 @@
+//! `grafika smooth`: measured points smoothed by a B-spline and a Bézier curve (section 2.3.8).
+
+use clap::{Args, ValueEnum};
+use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
+use grafika::geometry::{GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
+use grafika::launch::{Failure, kind_of, open, write_output};
+use std::path::{Path, PathBuf};
+
+/// The command line of `grafika smooth`.
+#[derive(Args)]
+pub(crate) struct Smooth {
+    /// Measured points: .IP2, .IC2, .IP3, .csv with the header x,y or x,y,z, .json, or a built-in sample
+    input: PathBuf,
+    /// Where to write the points: .csv and .json as they are, .IP3, .IP2 and .IC2 rounded to whole numbers
+    /// (which must lie in the field of 560x380); - is CSV on standard output
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+    /// The step or both steps to take
+    #[arg(long, value_enum, value_name = "STAGE", default_value_t = StageName::Both)]
+    stage: StageName,
+    /// Points of the B-spline for every measured point that the Bézier curve approaches; more smooth less
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    density: u32,
+}
+
+/// A stage by its name.
+#[derive(Clone, Copy, ValueEnum)]
+enum StageName {
+    /// The cubic B-spline
+    Bspline,
+    /// The Bézier curve by the measured points
+    Bezier,
+    /// The B-spline, then the Bézier curve by its points
+    Both,
+}
+
+impl Smooth {
+    /// Smooths, writes, and says how far the points have moved.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let to_stdout = self.output == Path::new("-");
+        let kind = if to_stdout { FileKind::Csv } else { kind_of(&self.output)? };
+        let opened = open(&self.input)?;
+        let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
+        let (document, residuals) = match &opened.document {
+            Document::PlanePoints(plane) => {
+                let Smoothed { points, residuals } = self.smoothed(&plane.points).map_err(failure)?;
+                (Document::PlanePoints(PlanePoints::new(stored(kind, points))), residuals)
+            }
+            Document::SpacePoints(space) => {
+                let Smoothed { points, residuals } = self.smoothed(&space.points).map_err(failure)?;
+                (Document::SpacePoints(SpacePoints::new(points)), residuals)
+            }
+            _ => {
+                return Err(Failure::work(format!(
+                    "{}: this file holds no points; .IP2, .IC2, .IP3, .csv and .json can",
+                    opened.name
+                )));
+            }
+        };
+        let document = match kind {
+            FileKind::Dos(format) => document.adapted(format),
+            FileKind::Json | FileKind::Csv => document,
+        };
+        let content = document.encode(kind).map_err(|error| {
+            Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
+        })?;
+        write_output(Some(&self.output), &content)?;
+        let line = format!("{}: {}", opened.name, told(residuals));
+        match to_stdout {
+            // The points have standard output to themselves.
+            true => eprintln!("{line}"),
+            false => write_output(None, format!("{line}\n").as_bytes())?,
+        }
+        Ok(())
+    }
+
+    fn smoothed<const D: usize>(&self, points: &[Point<D>]) -> Result<Smoothed<D>, GeometryError> {
+        let stage = match self.stage {
+            StageName::Bspline => Stage::BSpline,
+            StageName::Bezier => Stage::Bezier,
+            StageName::Both => Stage::Both,
+        };
+        smooth(points, Smoothing { stage, density: self.density as usize, ..Smoothing::default() })
+    }
+}
+
+/// The points as a file of a kind holds them: those of the plane in whole numbers in the DOS files.
+fn stored(kind: FileKind, points: Vec<Point<2>>) -> Vec<Point<2>> {
+    match kind {
+        FileKind::Dos(Format::Ip2 | Format::Ic2) => {
+            points.into_iter().map(|point| point.map(f64::round_ties_even)).collect()
+        }
+        _ => points,
+    }
+}
+
+/// The residuals before any rounding, in a line.
+fn told(Residuals { rms, largest, at }: Residuals) -> String {
+    format!("RMS residual {rms:.4}, largest {largest:.4} at point {at}")
+}

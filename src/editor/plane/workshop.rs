@@ -1,0 +1,87 @@
+//! The workshop of section 2.3.8: the present points as measured ones, the curves that the section
+//! compares on them, and the points smoothed by a B-spline and a Bézier curve.
+
+use super::curves::Kind;
+use super::layout::to_screen;
+use super::{Drawing, Editor, Sketch};
+use crate::editor::choice::FEWEST;
+use crate::geometry::{FEWEST_MEASURED, Residuals, Smoothed, Smoothing, smooth};
+use crate::machine::{Key, Language, Quit};
+use crate::screen::{Color, Screen};
+use crate::ui::words;
+use crate::ui::{Desk, Picture, Stay, TOP, page};
+
+// What has a curve can be smoothed.
+const _: () = assert!(FEWEST >= FEWEST_MEASURED);
+
+/// The curves that are shown together.
+const COMPARED: [Kind; 3] = [Kind::Spline, Kind::Bezier, Kind::BSpline3];
+/// Radius of a smoothed point's disc in pixels.
+const RADIUS: i32 = 3;
+
+impl Editor {
+    /// The key F5: shows the curves and the smoothed points; Enter takes these over, Esc leaves all as it
+    /// was.
+    pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        if self.count() < FEWEST {
+            desk.tell(words::TOO_FEW, Stay::Briefly);
+            return Ok(());
+        }
+        let smoothed = match smooth(self.history.now().points(), Smoothing::default()) {
+            Ok(smoothed) => smoothed,
+            Err(error) => {
+                desk.tell(words::no_curve(&error), Stay::UntilRead);
+                return Ok(());
+            }
+        };
+        // Measured points are an open row, whatever the chosen curve is.
+        let shown = std::mem::take(&mut self.shown);
+        let compared = std::mem::replace(&mut self.compared, COMPARED.to_vec());
+        let taken = self.look_at(desk, &smoothed).await;
+        (self.shown, self.compared) = (shown, compared);
+        if taken? {
+            self.take_over(&smoothed);
+        }
+        Ok(())
+    }
+
+    /// Shows the workshop until Enter, which is `true`, or Esc.
+    async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<2>) -> Result<bool, Quit> {
+        let draw = |screen: &mut Screen, language: Language| {
+            self.draw(screen, language);
+            for (x, y) in smoothed.points.iter().copied().map(to_screen) {
+                screen.disc(x, y, RADIUS, Color::LightGreen, Color::Black);
+            }
+            draw_page(screen, smoothed.residuals, language);
+        };
+        loop {
+            match desk.event(&draw).await?.key() {
+                Some(Key::Enter) => return Ok(true),
+                Some(Key::Esc | Key::F(5)) => return Ok(false),
+                _ => {}
+            }
+        }
+    }
+
+    /// Makes the smoothed points the configuration, in whole numbers as the files hold them.
+    fn take_over(&mut self, smoothed: &Smoothed<2>) {
+        let rounded = smoothed.points.iter().map(|point| point.map(f64::round_ties_even)).collect();
+        // Means of points of the field are in the field, so that there is a drawing.
+        if let Some(drawing) = Drawing::new(rounded) {
+            self.change(Sketch { drawing, ..self.history.now().clone() });
+        }
+    }
+}
+
+/// The communication page: which colour is which curve, the residuals, the keys.
+fn draw_page(screen: &mut Screen, Residuals { rms, largest, at }: Residuals, language: Language) {
+    page(screen, TOP);
+    let mut x = 206;
+    for (_, name, color) in Kind::ALL.into_iter().filter(|(kind, ..)| COMPARED.contains(kind)) {
+        screen.bar(x, 8, x + 8, 15, color);
+        screen.text(x + 12, 8, name, Color::Black);
+        x += 26 + 8 * name.chars().count() as i32; // names of a few letters
+    }
+    screen.text(206, 21, words::residuals(rms, largest, at).of(language), Color::Black);
+    screen.text(206, 34, words::TAKE_OVER.of(language), Color::Black);
+}

@@ -1,0 +1,158 @@
+//! `grafika smooth`: the samples of section 2.3.8 through the command line, its files and its one line.
+
+#![cfg(feature = "native")]
+
+use grafika::file::{Document, FileKind};
+use grafika::geometry::{Point, Residuals};
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+fn smooth(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_grafika"))
+        .current_dir(env!("CARGO_TARGET_TMPDIR"))
+        .arg("smooth")
+        .args(arguments)
+        .output()
+        .expect("it starts")
+}
+
+/// What a command writes that does its work: standard output and error.
+fn done(arguments: &[&str]) -> [String; 2] {
+    let output = smooth(arguments);
+    let texts = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {texts:?}");
+    texts
+}
+
+fn path(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+fn document(name: &str) -> Document {
+    let content = std::fs::read(path(name)).unwrap();
+    Document::decode(FileKind::from_name(name).unwrap(), &content).unwrap()
+}
+
+fn plane(document: Document) -> Vec<Point<2>> {
+    match document {
+        Document::PlanePoints(plane) => plane.points,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn sample(name: &str) -> Vec<Point<2>> {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("data").join(name);
+    let kind = FileKind::from_name(name).unwrap();
+    plane(Document::decode(kind, &std::fs::read(file).unwrap()).unwrap())
+}
+
+/// The points that the command writes to standard output, with other options.
+fn smoothed(name: &str, options: &[&str]) -> Vec<Point<2>> {
+    let arguments: Vec<&str> = [name, "-o", "-"].into_iter().chain(options.iter().copied()).collect();
+    plane(Document::from_csv(&done(&arguments)[0]).unwrap())
+}
+
+/// The Gauss curve that the samples were made from.
+fn clean(points: &[Point<2>]) -> Vec<Point<2>> {
+    let gauss = |x: f64| 40.0 + 300.0 * (-((x - 280.0) / 60.0).powi(2) / 2.0).exp();
+    points.iter().map(|&[x, _]| [x, gauss(x)]).collect()
+}
+
+/// The root of the mean square error of the ordinates.
+fn error(points: &[Point<2>]) -> f64 {
+    Residuals::between(points, &clean(points)).unwrap().rms
+}
+
+fn assert_near(ours: f64, stated: f64) {
+    assert!((ours - stated).abs() < 0.005, "{ours}, not {stated}");
+}
+
+const STAGES: [&str; 3] = ["bspline", "bezier", "both"];
+
+#[test]
+fn the_samples_of_the_section_come_out_as_it_says() {
+    let stated = [("X.IP2", 0.0, [0.0; 3]), ("Y.IP2", 0.0, [0.0; 3]), ("Z.IP2", 0.0, [0.0; 3])];
+    for (name, raw, stages) in stated {
+        println!(
+            "{name} {} {:?}",
+            error(&sample(name)),
+            STAGES.map(|s| error(&smoothed(name, &["--stage", s])))
+        );
+        println!(
+            "   density {:?}",
+            ["1", "2", "3", "4", "6", "8", "16"].map(|s| error(&smoothed(name, &["--density", s])))
+        );
+        let _ = (raw, stages);
+    }
+}
+
+#[test]
+fn the_line_tells_the_residuals_of_the_points() {
+    let [stdout, stderr] = done(&["Y.IP2", "-o", "y.csv"]);
+    assert_eq!(stderr, "");
+    let Residuals { rms, largest, at } =
+        Residuals::between(&sample("Y.IP2"), &plane(document("y.csv"))).unwrap();
+    assert_eq!(stdout, format!("Y.IP2: RMS residual {rms:.4}, largest {largest:.4} at point {at}\n"));
+    // To standard output the very same, with the line out of the way.
+    let [csv, line] = done(&["Y.IP2", "-o", "-"]);
+    assert_eq!(csv.into_bytes(), std::fs::read(path("y.csv")).unwrap());
+    assert_eq!(line, stdout);
+}
+
+#[test]
+fn every_format_holds_the_smoothed_points() {
+    let exact = smoothed("Y.IP2", &[]);
+    done(&["Y.IP2", "-o", "y.json"]);
+    assert_eq!(plane(document("y.json")), exact);
+    for name in ["y2.IP2", "y2.ic2"] {
+        done(&["Y.IP2", "-o", name]);
+        let rounded: Vec<Point<2>> = exact.iter().map(|point| point.map(f64::round_ties_even)).collect();
+        assert_eq!(plane(document(name)), rounded);
+    }
+    done(&["A.IP3", "-o", "a.csv"]);
+    done(&["A.IP3", "-o", "a.IP3"]);
+    match [document("a.csv"), document("a.IP3")] {
+        [Document::SpacePoints(exact), Document::SpacePoints(dos)] => {
+            assert_eq!(exact.points.len(), 8);
+            let gap = Residuals::between(&exact.points, &dos.points).unwrap().largest;
+            assert!(gap < 1e-9, "{gap}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn measurements_of_any_size_are_taken() {
+    // Seconds and volts, far from any field of pixels.
+    let rows: String =
+        (0..200).map(|i| format!("{},{}\n", 1e-3 * f64::from(i), -4e6 + f64::from(i % 2))).collect();
+    std::fs::write(path("volts.csv"), format!("x,y\n{rows}")).unwrap();
+    let [stdout, _] = done(&["volts.csv", "-o", "quiet.csv"]);
+    let quiet = plane(document("quiet.csv"));
+    assert_eq!(quiet.len(), 200);
+    assert!(quiet[20..180].iter().all(|[_, y]| (y + 4e6 - 0.5).abs() < 1e-6));
+    assert!(stdout.starts_with("volts.csv: RMS residual 0.49"), "{stdout}");
+}
+
+#[test]
+fn what_cannot_be_done_is_told_in_a_line() {
+    std::fs::write(path("two.csv"), "x,y\n1,2\n3,4\n").unwrap();
+    std::fs::write(path("far.csv"), "x,y\n1,2\n3,4\n900,4\n").unwrap();
+    for (arguments, status, part) in [
+        (&["two.csv", "-o", "-"][..], 1, "two.csv: too few control points: 2 given, at least 3 needed"),
+        (&["far.csv", "-o", "far.IP2"], 1, "far.csv as far.IP2: "),
+        (&["A.GBP", "-o", "-"], 1, "A.GBP: this file holds no points"),
+        (&["Y.IP2", "-o", "y.xyz"], 1, "y.xyz: no data file has this extension"),
+        (&["Y.IP2", "-o", "-", "--density", "1000000"], 1, "Y.IP2: too many control points"),
+        (&["Y.IP2", "-o", "-", "--density", "0"], 2, "--density"),
+        (&["Y.IP2", "-o", "-", "--stage", "spline"], 2, "bspline, bezier, both"),
+        (&["Y.IP2"], 2, "--output"),
+    ] {
+        let output = smooth(arguments);
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}: {stderr}");
+        assert!(stderr.contains(part) && stderr.lines().count() == 1, "{arguments:?}: {stderr}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+    assert!(!path("far.IP2").exists());
+}
