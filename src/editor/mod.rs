@@ -11,8 +11,10 @@ pub mod drawing;
 mod field;
 pub mod fourier;
 mod history;
+mod keys;
 pub mod plane;
 mod points;
 pub mod space;
+mod stage;
 
 pub use history::History;

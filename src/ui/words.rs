@@ -284,9 +284,6 @@ pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "turn by 
 pub(crate) const HELP_TURN_KEYS: Words = Words("forgatás 3 fokkal", "turn by 3 degrees");
 pub(crate) const HELP_ZOOM: Words = Words("nagyítás, kicsinyítés", "larger, smaller");
 pub(crate) const HELP_HOME: Words = Words("az eredeti nézet", "the view of the start");
-pub(crate) const HELP_BIAS: Words = Words("eltolás: 0.05...20", "bias: 0.05...20");
-pub(crate) const HELP_TENSION: Words = Words("feszültség", "tension");
-pub(crate) const HELP_CURVE_SHAPE: Words = Words("görbe: nyitott vagy zárt", "curve: open or closed");
 pub(crate) const NOT_IN_SPACE: Words =
     Words("Ebben a fileban nem térbeli kontrollpontok vannak", "This file holds no control points in space");
 pub(crate) const OUTSIDE_SPACE: Words = Words(

@@ -23,6 +23,7 @@ use super::History;
 use super::choice::{COMMANDS, FEWEST, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit, Place};
+use super::stage::Stage;
 use crate::file::{Document, Format};
 use crate::geometry::{Closure, Point};
 use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
@@ -34,19 +35,6 @@ use serde::Serialize;
 
 /// The control points of a plane curve.
 pub type Drawing = drawing::Drawing<Point<2>>;
-
-/// What the screen shows besides the points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stage {
-    /// Before there is a configuration; before the first one there are no buttons either.
-    Starting { buttons: bool },
-    /// Editing.
-    Working,
-    /// Editing, while the method is being chosen.
-    Choosing,
-    /// The curve without its surroundings, with or without the control points.
-    Result { points: bool },
-}
 
 /// What the mouse can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,9 +117,7 @@ impl Configuration for Editor {
     }
 
     fn reset(&mut self) {
-        // The buttons stay on the screen once they are there.
-        let first = self.stage == Stage::Starting { buttons: false };
-        self.stage = Stage::Starting { buttons: !first };
+        self.stage = self.stage.restarted();
         self.load(self.empty());
     }
 
@@ -204,7 +190,7 @@ impl Editor {
             compared: Vec::new(),
             k0: 0.5,
             held: None,
-            stage: Stage::Starting { buttons: false },
+            stage: Stage::FIRST,
             note: None,
             offer_tangents: false,
             has_json: false,

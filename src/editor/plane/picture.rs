@@ -43,7 +43,7 @@ impl Editor {
         self.draw_points(screen);
         surroundings(screen);
         page(screen, TOP);
-        if stage == (Stage::Starting { buttons: false }) {
+        if stage == Stage::FIRST {
             return;
         }
         self.draw_title(screen, language);

@@ -1,9 +1,10 @@
 //! What the programs of the plane editor have of their own: their curves, buttons and files.
 
 use super::Words;
+use crate::editor::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE};
 use crate::editor::{beta, choice};
 use crate::file::Format;
-use crate::ui::words::{self};
+use crate::ui::words;
 use crate::ui::{Button, KeyHelp};
 
 /// The program that the editor is.
@@ -46,21 +47,13 @@ impl Tools {
 }
 
 const DRAG: KeyHelp = (Words("egér", "mouse"), words::HELP_DRAG);
-const INSERT: KeyHelp = (Words("B", "B"), words::HELP_INSERT);
-const CHANGE: KeyHelp = (Words("V", "V"), words::HELP_CHANGE);
-const DELETE: KeyHelp = (Words("T", "T"), words::HELP_DELETE);
-const FORM: KeyHelp = (Words("G", "G"), words::HELP_CURVE_FORM);
-const RESULT: KeyHelp = (Words("E", "E"), words::HELP_RESULT);
-const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
-const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_FOLLOW);
-const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
 
 const METHOD_KEYS: &[KeyHelp] = &[
     DRAG,
     INSERT,
     CHANGE,
     DELETE,
-    (Words("G 1-4", "G 1-4"), words::HELP_CURVE),
+    METHOD,
     RESULT,
     QUIT,
     FOLLOW,
@@ -87,7 +80,7 @@ const BETA_KEYS: &[KeyHelp] = &[
     INSERT,
     CHANGE,
     DELETE,
-    (Words("A C", "A C"), words::HELP_SHAPE),
+    SHAPE,
     FORM,
     RESULT,
     QUIT,

@@ -12,6 +12,8 @@ use super::choice::{COMMANDS, METHODS, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit};
 use super::field::PICTURE;
+use super::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE};
+use super::stage::Stage;
 use crate::file::{Document, Format, SpacePoints};
 use crate::geometry::{Closure, Point, Shape};
 use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
@@ -40,19 +42,6 @@ impl Tools {
             Tools::Beta => &BUTTONS,
         }
     }
-}
-
-/// What the screen shows besides the points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stage {
-    /// Before there is a configuration; before the first one there are no buttons either.
-    Starting { buttons: bool },
-    /// Editing.
-    Working,
-    /// Editing, while the curve is being chosen.
-    Choosing,
-    /// The curve without its surroundings, with or without the control points.
-    Result { points: bool },
 }
 
 /// A point under the mouse.
@@ -104,48 +93,14 @@ const TURN_DRAG: KeyHelp = (Words("jobb gomb", "right button"), words::HELP_TURN
 const TURN_KEYS: KeyHelp = (Words("nyilak", "arrows"), words::HELP_TURN_KEYS);
 const ZOOM: KeyHelp = (Words("kerék", "wheel"), words::HELP_ZOOM);
 const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);
-const INSERT: KeyHelp = (Words("B", "B"), words::HELP_INSERT);
-const CHANGE: KeyHelp = (Words("V", "V"), words::HELP_CHANGE);
-const DELETE: KeyHelp = (Words("T", "T"), words::HELP_DELETE);
-const RESULT: KeyHelp = (Words("E", "E"), words::HELP_RESULT);
-const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
-const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_FOLLOW);
-const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
 
 /// The keys of the editor with [`Tools::Methods`] for its help page.
-pub const METHOD_KEYS: &[KeyHelp] = &[
-    INSERT,
-    CHANGE,
-    DELETE,
-    (Words("G 1-4", "G 1-4"), words::HELP_CURVE),
-    RESULT,
-    QUIT,
-    DRAG,
-    TURN_DRAG,
-    TURN_KEYS,
-    ZOOM,
-    HOME,
-    FOLLOW,
-    SAVE,
-];
+pub const METHOD_KEYS: &[KeyHelp] =
+    &[INSERT, CHANGE, DELETE, METHOD, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, SAVE];
 
 /// The keys of the editor with [`Tools::Beta`] for its help page.
 pub const BETA_KEYS: &[KeyHelp] = &[
-    INSERT,
-    CHANGE,
-    DELETE,
-    (Words("A", "A"), words::HELP_BIAS),
-    (Words("C", "C"), words::HELP_TENSION),
-    (Words("G", "G"), words::HELP_CURVE_SHAPE),
-    RESULT,
-    QUIT,
-    DRAG,
-    TURN_DRAG,
-    TURN_KEYS,
-    ZOOM,
-    HOME,
-    FOLLOW,
-    SAVE,
+    INSERT, CHANGE, DELETE, SHAPE, FORM, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, SAVE,
 ];
 
 /// Runs the editor as a program, with a document that was named at the start or none.
@@ -188,8 +143,7 @@ impl Configuration for Editor {
     }
 
     fn reset(&mut self) {
-        let first = self.stage == Stage::Starting { buttons: false };
-        self.stage = Stage::Starting { buttons: !first };
+        self.stage = self.stage.restarted();
         self.load(Drawing::default());
     }
 
@@ -252,7 +206,7 @@ impl Editor {
             shown: Shown::default(),
             shape: Shape::default(),
             held: None,
-            stage: Stage::Starting { buttons: false },
+            stage: Stage::FIRST,
             pointed_out: None,
             note: None,
         }

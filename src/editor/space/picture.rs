@@ -69,7 +69,7 @@ impl Editor {
         if let Some(note) = &self.note {
             screen.text(262, 23, note, Color::Black);
         }
-        if stage == (Stage::Starting { buttons: false }) {
+        if stage == Stage::FIRST {
             return;
         }
         match self.tools {
