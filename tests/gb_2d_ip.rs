@@ -262,8 +262,9 @@ fn measured_points_are_opened_from_csv_with_their_fractions() {
     assert!((PROGRAM.check)(&document).is_ok());
     let kept = play_opened(document, "dump end.json\nkey F5\nkey Enter\ndump taken.json");
     assert_eq!(points(&kept), [[0.0, 10.5], [100.25, 20.0], [200.0, 15.125], [300.0, 25.0]]);
-    let taken = kept.models["taken.json"]["points"].to_string();
-    assert_eq!(taken, "[[0.0,10.0],[100.0,17.0],[200.0,19.0],[300.0,25.0]]");
+    let smoothed = grafika::geometry::smooth(&points(&kept), Default::default()).unwrap().points;
+    let rounded: Vec<[f64; 2]> = smoothed.iter().map(|point| point.map(f64::round_ties_even)).collect();
+    assert_eq!(kept.models["taken.json"]["points"], serde_json::json!(rounded));
     let outside = grafika::file::Document::from_csv("x,y\n0,0\n561,0\n2,2\n").unwrap();
     assert!((PROGRAM.check)(&outside).is_err());
 }

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
-use grafika::geometry::{GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
+use grafika::geometry::{DENSITY, GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
 use grafika::launch::{Failure, kind_of, open, write_output};
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ pub(crate) struct Smooth {
     #[arg(long, value_enum, value_name = "STAGE", default_value_t = StageName::Both)]
     stage: StageName,
     /// Points of the B-spline for every measured point that the Bézier curve approaches; more smooth less
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = DENSITY as u32, value_parser = clap::value_parser!(u32).range(1..))]
     density: u32,
 }
 

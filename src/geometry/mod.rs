@@ -65,6 +65,8 @@ pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use method::{Closure, Ends, Method};
 pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
-pub use smooth::{Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth};
+pub use smooth::{
+    DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
+};
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

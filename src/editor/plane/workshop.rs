@@ -18,6 +18,8 @@ const _: () = assert!(FEWEST >= FEWEST_MEASURED);
 const COMPARED: [Kind; 3] = [Kind::Spline, Kind::Bezier, Kind::BSpline3];
 /// Radius of a smoothed point's disc in pixels.
 const RADIUS: i32 = 3;
+/// Where the lines of the communication page begin.
+const LEFT: i32 = 214;
 
 impl Editor {
     /// The key F5: shows the curves and the smoothed points; Enter takes these over, Esc leaves all as it
@@ -76,12 +78,12 @@ impl Editor {
 /// The communication page: which colour is which curve, the residuals, the keys.
 fn draw_page(screen: &mut Screen, Residuals { rms, largest, at }: Residuals, language: Language) {
     page(screen, TOP);
-    let mut x = 206;
+    let mut x = LEFT;
     for (_, name, color) in Kind::ALL.into_iter().filter(|(kind, ..)| COMPARED.contains(kind)) {
-        screen.bar(x, 8, x + 8, 15, color);
-        screen.text(x + 12, 8, name, Color::Black);
+        screen.bar(x, 10, x + 8, 17, color);
+        screen.text(x + 12, 10, name, Color::Black);
         x += 26 + 8 * name.chars().count() as i32; // names of a few letters
     }
-    screen.text(206, 21, words::residuals(rms, largest, at).of(language), Color::Black);
-    screen.text(206, 34, words::TAKE_OVER.of(language), Color::Black);
+    screen.text(LEFT, 22, words::residuals(rms, largest, at).of(language), Color::Black);
+    screen.text(LEFT, 35, words::TAKE_OVER.of(language), Color::Black);
 }
