@@ -131,23 +131,37 @@ impl<'a> Sweep<'a> {
             let event = Event { time: now + time, ball, version, other: Other::Wall(wall) };
             self.queue.push(Reverse(event));
         }
+        if self.grid.is_one_cell() {
+            // At the start, pairs are found by the one with the larger number.
+            let others = if version == 0 { ball } else { self.balls.len() };
+            (0..others).filter(|&other| other != ball).for_each(|other| {
+                self.foresee_pair(ball, at, other, now);
+            });
+            return;
+        }
         let end = moved(at, velocity, left);
         let cells =
             [0, 1].map(|axis| self.grid.range(axis, at[axis].min(end[axis]), at[axis].max(end[axis])));
         self.tracks[ball].cells = cells;
         for row in cells[1][0]..=cells[1][1] {
             for column in cells[0][0]..=cells[0][1] {
-                let mut entry = self.grid.first(column, row);
-                while let Some(&Entry { ball: other, next }) = self.grid.entries.get(entry as usize) {
-                    entry = next;
-                    let theirs = self.tracks[other].cells;
-                    // Pairs with several cells in common are compared in the first of them.
-                    let first = [column, row] == [0, 1].map(|axis| cells[axis][0].max(theirs[axis][0]));
-                    if first && other != ball {
-                        self.foresee_pair(ball, at, other, now);
-                    }
-                }
+                self.compare_in_cell(ball, at, [column, row], now);
                 self.grid.enter(column, row, ball);
+            }
+        }
+    }
+
+    /// Finds the hits of a ball with those entered into a cell.
+    fn compare_in_cell(&mut self, ball: usize, at: Vector, cell: [u32; 2], now: f64) {
+        let cells = self.tracks[ball].cells;
+        let mut entry = self.grid.first(cell[0], cell[1]);
+        while let Some(&Entry { ball: other, next }) = self.grid.entries.get(entry as usize) {
+            entry = next;
+            let theirs = self.tracks[other].cells;
+            // Pairs with several cells in common are compared in the first of them.
+            let first = cell == [0, 1].map(|axis| cells[axis][0].max(theirs[axis][0]));
+            if first && other != ball {
+                self.foresee_pair(ball, at, other, now);
             }
         }
     }
@@ -243,8 +257,17 @@ impl Grid {
         };
         let size = extent.map(cells);
         let scale = [0, 1].map(|axis| f64::from(size[axis]) / extent[axis].max(1.0));
-        let heads = vec![NONE; size[0] as usize * size[1] as usize];
-        Grid { origin: field.min, scale, size, heads, entries: Vec::with_capacity(2 * count) }
+        let mut grid = Grid { origin: field.min, scale, size, heads: Vec::new(), entries: Vec::new() };
+        if !grid.is_one_cell() {
+            grid.heads = vec![NONE; size[0] as usize * size[1] as usize];
+            grid.entries.reserve(2 * count);
+        }
+        grid
+    }
+
+    /// Whether everything is compared with everything; then there are no lists.
+    fn is_one_cell(&self) -> bool {
+        self.size == [1, 1]
     }
 
     /// The first and last cell, in one direction, that a ball touches while its centre goes between two
