@@ -114,6 +114,7 @@ fn no_shot_without_a_drag() {
         "drag 60 240 300 300 right",
         "move 60 240\npress left\nmove 300 240\nkey Esc\nrelease left",
         "move 60 240\npress left\nmove 300 240\nmove 60 240\nrelease left",
+        "move 60 240\npress left\nmove 300 240\nkey F1\nrelease left\nkey Esc\nmove 310 240",
     ] {
         assert_eq!(model(&format!("{script}\nwait 100")), start, "{script}");
     }

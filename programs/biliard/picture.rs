@@ -5,7 +5,7 @@ use super::game::{Game, Shot};
 use super::texts;
 use grafika::machine::Language;
 use grafika::screen::{Bitmap, Color, Put, Screen, Stroke};
-use grafika::table::{Obstacle, RADIUS, Surface, Table, Vector};
+use grafika::table::{Obstacle, RACK, RADIUS, Surface, Table, Vector};
 use grafika::ui::{Area, Picture, sunken};
 
 /// The discs' radius in pixels.
@@ -17,6 +17,7 @@ const ARROW: f64 = 40.0;
 
 /// What is to be seen.
 pub(crate) struct View<'a> {
+    pub(crate) discs: &'a Discs,
     pub(crate) game: &'a Game,
     /// The table with the balls, at rest or in motion.
     pub(crate) table: Table,
@@ -35,10 +36,10 @@ impl Picture for View<'_> {
         draw_table(screen);
         self.draw_texts(screen, language);
         for (index, ball) in self.table.balls().iter().enumerate() {
-            draw_ball(screen, index, pixel(ball.at));
+            self.discs.put(screen, index, pixel(ball.at));
         }
         if let Some((shot, ghost)) = &self.aimed {
-            draw_ball(screen, shot.ball, *ghost);
+            self.discs.put(screen, shot.ball, *ghost);
             if self.line {
                 draw_way(screen, &self.table, shot);
             }
@@ -84,17 +85,26 @@ fn draw_table(screen: &mut Screen) {
     screen.line(603, 38, 603, 441, Stroke::thin(Color::Cyan));
 }
 
-fn draw_ball(screen: &mut Screen, index: usize, (x, y): (i32, i32)) {
-    // Ball number i of the book has colour i, which on white shows as 15 - i.
-    let number = u8::try_from(index + 1).unwrap_or(u8::MAX) & 15;
-    screen.put(x - BOX, y - BOX, &disc(Color::from_index(number)), Put::Xor);
-}
+/// The balls' discs on black, made once.
+pub(crate) struct Discs(Vec<Bitmap>);
 
-/// A disc of a colour on black.
-fn disc(color: Color) -> Bitmap {
-    let mut scratch = Screen::new();
-    scratch.disc(BOX, BOX, DISC, color, color);
-    scratch.take(0, 0, 2 * BOX, 2 * BOX)
+impl Discs {
+    /// Discs in the book's colours: ball i, from 1, has colour i, which put by XOR on white shows as 15 - i.
+    pub(crate) fn new() -> Discs {
+        let mut scratch = Screen::new();
+        let colors = Color::ALL.into_iter().skip(1).take(RACK.len());
+        let disc = |color| {
+            scratch.disc(BOX, BOX, DISC, color, color);
+            scratch.take(0, 0, 2 * BOX, 2 * BOX)
+        };
+        Discs(colors.map(disc).collect())
+    }
+
+    fn put(&self, screen: &mut Screen, ball: usize, (x, y): (i32, i32)) {
+        if let Some(disc) = self.0.get(ball) {
+            screen.put(x - BOX, y - BOX, disc, Put::Xor);
+        }
+    }
 }
 
 /// The aiming line up to the first hit, the ball's place there, and where the two balls go on to.

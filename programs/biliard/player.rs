@@ -1,7 +1,7 @@
 //! What the player does: aiming, shooting, watching, and the keys.
 
 use super::game::Game;
-use super::picture::{View, ball_at};
+use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
 use grafika::editor::History;
@@ -31,6 +31,7 @@ struct Grip {
 /// The program's state: the game with its past is what undo restores, all else is view.
 struct Player {
     games: History<Game>,
+    discs: Discs,
     grip: Option<Grip>,
     rolling: Option<Rolling>,
     line: bool,
@@ -52,8 +53,14 @@ struct Model {
 /// # Errors
 /// [`Quit`] when the display is being closed.
 pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Result<(), Quit> {
-    let mut player =
-        Player { games: History::new(Game::new()), grip: None, rolling: None, line: true, spin: 0 };
+    let mut player = Player {
+        games: History::new(Game::new()),
+        discs: Discs::new(),
+        grip: None,
+        rolling: None,
+        line: true,
+        spin: 0,
+    };
     let mut desk = Desk::new(machine, manual);
     loop {
         match player.play(&mut desk).await {
@@ -103,6 +110,7 @@ impl Player {
             Some((game.shot(grip.ball, ghost, self.spin)?, ghost))
         });
         View {
+            discs: &self.discs,
             game,
             table: self.rolling.as_ref().map_or_else(|| game.table(), |rolling| rolling.at(now)),
             aimed,
@@ -129,6 +137,9 @@ impl Player {
     }
 
     fn mouse(&mut self, tick: &Tick) {
+        // The button may have gone up while the help page was read.
+        let let_go = tick.event == Some(Event::Release(Button::Left));
+        self.grip = self.grip.filter(|_| let_go || tick.mouse.holds(Button::Left));
         match tick.event {
             Some(Event::Press(Button::Left)) if self.rolling.is_none() => {
                 let (x, y) = (tick.mouse.x, tick.mouse.y);
