@@ -87,12 +87,12 @@ fn balls_come_to_rest_and_enter_goes_there_at_once() {
 fn golden_pictures() {
     let cases = [
         ("biliard_aimed", "move 60 240\npress left\nmove 420 262"),
-        ("biliard_aimed_at_wall", "move 414 232\npress left\nmove 450 90"),
+        ("biliard_aimed_at_neighbour", "move 414 232\npress left\nmove 450 90"),
         ("biliard_aimed_weakly", "move 60 240\npress left\nmove 64 250"),
         ("biliard_without_line", "key A\nmove 60 240\npress left\nmove 420 262"),
         ("biliard_rolling", "drag 60 240 560 246\nwait 2000"),
         ("biliard_points", "key P\ndrag 60 240 560 246\nkey Enter"),
-        ("biliard_spin", "key S\ntype ap\nkey Right\nwheel 2\nmove 60 240\npress left\nmove 300 100"),
+        ("biliard_spin", "key S\nkey P\nkey Right\nwheel 2\nmove 60 240\npress left\nmove 300 100"),
         ("biliard_replay", "drag 60 240 560 246\nkey Enter\nkey R\nwait 5000"),
         ("biliard_english", "key F2\nkey P\nkey S"),
         ("biliard_end", "key Q"),

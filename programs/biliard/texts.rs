@@ -56,9 +56,10 @@ pub(crate) fn score(points: &Points, language: Language) -> String {
 
 /// The spin of the next shot, in quarters of the shot's speed.
 pub(crate) fn spin(quarters: i32, language: Language) -> String {
-    match language {
-        Language::Hungarian => format!("Fals: {quarters:+}/4"),
-        Language::English => format!("Spin: {quarters:+}/4"),
+    let word = Words("Fals", "Spin").of(language);
+    match quarters {
+        0 => format!("{word}: 0"),
+        quarters => format!("{word}: {quarters:+}/4"),
     }
 }
 
