@@ -1,5 +1,7 @@
 //! `grafika`: the menu and the command line over all programs.
 
+#[path = "../biliard.rs"]
+mod biliard;
 #[path = "../gb_2d_bt.rs"]
 mod gb_2d_bt;
 #[path = "../gb_2d_ch.rs"]
@@ -36,6 +38,7 @@ const PROGRAMS: &[Program] = &[
     gb_2d_bt::PROGRAM,
     gb_3d_ip::PROGRAM,
     gb_3d_bt::PROGRAM,
+    biliard::PROGRAM,
 ];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu

@@ -1,0 +1,79 @@
+//! What the billiard says, in Hungarian and English.
+
+use super::game::{GOAL, Points};
+use grafika::machine::{Language, StorageError};
+use grafika::ui::{KeyHelp, Phrase, Words};
+
+pub(crate) const KEYS: &[KeyHelp] = &[
+    (Words("egér", "mouse"), Words("lökés: a golyó képének húzása", "shot: drag a ball's ghost away")),
+    (
+        Words("Esc", "Esc"),
+        Words("húzás közben: mégsem; különben vége", "while dragging: no shot; else the end"),
+    ),
+    (Words("Enter", "Enter"), Words("a mozgás végére ugrik", "on to where the balls come to rest")),
+    (Words("A", "A"), Words("célzóvonal be, ki", "aiming line on, off")),
+    (Words("R", "R"), Words("az utolsó lökés lassítva", "the last shot in slow motion")),
+    (Words("S", "S"), Words("érdes golyók: fals be, ki", "rough balls: spin on, off")),
+    (Words("← →  görgő", "← →  wheel"), Words("fals a lökésben", "spin of the shot")),
+    (Words("P", "P"), Words("két játékos pontra, vissza", "two players with points, back")),
+    (Words("N", "N"), Words("új felállítás", "a new rack")),
+    (Words("Ctrl+S Ctrl+O", "Ctrl+S Ctrl+O"), Words("mentés, betöltés (.JSON)", "save, load (.JSON)")),
+    (Words("Q", "Q"), Words("vége", "end")),
+];
+
+pub(crate) const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
+pub(crate) const ASK_NEW: Words = Words("      Új felállítás ?", "         New rack ?");
+pub(crate) const ASK_SAVE: Words = Words("     Menteni a játékot ?", "      Save the game ?");
+pub(crate) const NO_MORE: Words = Words("Nincs több változás", "There is no more change");
+pub(crate) const NO_SHOT: Words = Words("Még nem volt lökés", "There was no shot yet");
+pub(crate) const SAVED: Words = Words("Elmentve", "Saved");
+pub(crate) const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
+pub(crate) const REPLAY: Words = Words("Lassítva", "Slow motion");
+pub(crate) const NO_DOCUMENT: Words = Words(
+    "a biliárd játékait a Ctrl+O tölti be",
+    "billiard has no data files of 1997; its games are loaded with Ctrl+O",
+);
+
+/// The line above the table: whose turn it is and the points.
+pub(crate) fn score(points: &Points, language: Language) -> String {
+    let [first, second] = points.scores;
+    let turn = points.turn + 1;
+    match (language, points.winner()) {
+        (Language::Hungarian, None) => {
+            format!("Pontok: {first} - {second}   lök: {turn}. játékos   cél: {GOAL}")
+        }
+        (Language::English, None) => {
+            format!("Points: {first} - {second}   to play: player {turn}   goal: {GOAL}")
+        }
+        (Language::Hungarian, Some(winner)) => {
+            format!("Pontok: {first} - {second}   nyert: {}. játékos", winner + 1)
+        }
+        (Language::English, Some(winner)) => {
+            format!("Points: {first} - {second}   player {} has won", winner + 1)
+        }
+    }
+}
+
+/// The spin of the next shot, in quarters of the shot's speed.
+pub(crate) fn spin(quarters: i32, language: Language) -> String {
+    let word = Words("Fals", "Spin").of(language);
+    match quarters {
+        0 => format!("{word}: 0"),
+        quarters => format!("{word}: {quarters:+}/4"),
+    }
+}
+
+/// Whether a file that exists shall be overwritten.
+pub(crate) fn exists(name: &str) -> Phrase {
+    Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
+}
+
+/// A file that could not be read or written.
+pub(crate) fn storage(error: &StorageError) -> Phrase {
+    Phrase::new(error.to_string(), error.to_string())
+}
+
+/// A file that is no game.
+pub(crate) fn no_game(name: &str, why: &str) -> Phrase {
+    Phrase::new(format!("{name}: nem biliárdjáték: {why}"), format!("{name}: no game of billiards: {why}"))
+}
