@@ -49,17 +49,15 @@ fn the_books_shot_agrees_up_to_the_first_hit() {
     let text = std::fs::read_to_string(common::path("reference/games/biliard_shot1.csv")).unwrap();
     let rows: Vec<Vec<f64>> =
         text.lines().skip(1).map(|line| line.split(',').map(|x| x.parse().unwrap()).collect()).collect();
-    let script: String = (1..=36)
-        .map(|step| format!("wait {}\ndump {step}.json\n", if step == 1 { 31 } else { 31 }))
-        .collect();
+    let script: String = (1..=36).map(|step| format!("wait 31\ndump {step}.json\n")).collect();
     let kept = run(&format!("{SHOT}{script}"));
     let hit = (1..rows.len()).find(|&step| rows[step][7] != 0.0).unwrap();
     assert!(hit > 30);
-    for step in 1..hit {
+    for (step, row) in rows.iter().enumerate().take(hit).skip(1) {
         let model = &kept.models[&format!("{step}.json")];
         for index in 0..11 {
             let [x, y, vx, vy] = ball(model, index);
-            let theirs = &rows[step][1 + 4 * index..5 + 4 * index];
+            let theirs = &row[1 + 4 * index..5 + 4 * index];
             for (a, b) in [x, y, vx, -vy].iter().zip(theirs) {
                 assert!((a - b).abs() < 0.01, "step {step}, ball {index}: {a} {b}");
             }
