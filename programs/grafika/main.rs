@@ -1,5 +1,7 @@
 //! `grafika`: the menu and the command line over all programs.
 
+#[path = "../eg_kz_k.rs"]
+mod eg_kz_k;
 #[path = "../gb_2d_bt.rs"]
 mod gb_2d_bt;
 #[path = "../gb_2d_ch.rs"]
@@ -12,6 +14,12 @@ mod gb_3d_bt;
 mod gb_3d_ip;
 #[path = "../gb_p_2d.rs"]
 mod gb_p_2d;
+#[path = "../gr_kz_o.rs"]
+mod gr_kz_o;
+#[path = "../gr_kz_x.rs"]
+mod gr_kz_x;
+#[path = "../vjs.rs"]
+mod vjs;
 
 mod convert;
 mod curve;
@@ -29,6 +37,10 @@ use std::process::ExitCode;
 
 /// Every program, in the order of the book.
 const PROGRAMS: &[Program] = &[
+    gr_kz_x::PROGRAM,
+    gr_kz_o::PROGRAM,
+    eg_kz_k::PROGRAM,
+    vjs::PROGRAM,
     gb_p_2d::PROGRAM,
     gb_2d_ch::PROGRAM,
     gb_2d_ip::PROGRAM,

@@ -115,6 +115,16 @@ impl Session {
         port.now = port.now.max(now);
     }
 
+    /// Lets the session's time reach `now` as [`Session::advance`] does, and shows an animated program this
+    /// very moment, although no frame may be due: its model is that of the moment then.
+    pub fn settle(&mut self, now: Duration) {
+        self.advance(now);
+        let behind = self.port.borrow().wait == Wait::Frame;
+        if behind && !self.ended() {
+            self.deliver(None, now);
+        }
+    }
+
     /// Delivers one event that happened at `now`; the program has fully reacted when this returns.
     pub fn send(&mut self, event: Event, now: Duration) {
         self.advance(now);

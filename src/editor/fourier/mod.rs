@@ -70,6 +70,7 @@ pub const KEYS: &[KeyHelp] = &[
     (Words("F5", "F5"), words::HELP_FIT),
     (Words("Q", "Q"), words::HELP_QUIT),
     (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE),
+    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO),
 ];
 
 /// Runs the editor as a program, with a document that was named at the start or none.

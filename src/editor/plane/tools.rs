@@ -54,6 +54,7 @@ const RESULT: KeyHelp = (Words("E", "E"), words::HELP_RESULT);
 const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
 const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_FOLLOW);
 const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
+const UNDO: KeyHelp = (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO);
 
 const METHOD_KEYS: &[KeyHelp] = &[
     DRAG,
@@ -66,6 +67,7 @@ const METHOD_KEYS: &[KeyHelp] = &[
     FOLLOW,
     (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE),
     SAVE,
+    UNDO,
 ];
 
 const TANGENT_KEYS: &[KeyHelp] = &[
@@ -79,6 +81,7 @@ const TANGENT_KEYS: &[KeyHelp] = &[
     QUIT,
     FOLLOW,
     SAVE,
+    UNDO,
 ];
 
 const BETA_KEYS: &[KeyHelp] = &[
@@ -94,4 +97,5 @@ const BETA_KEYS: &[KeyHelp] = &[
     (Words("F5", "F5"), words::HELP_JOINTS),
     (Words("F6", "F6"), words::HELP_JOINTS_OFF),
     SAVE,
+    UNDO,
 ];

@@ -111,6 +111,7 @@ const RESULT: KeyHelp = (Words("E", "E"), words::HELP_RESULT);
 const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
 const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_FOLLOW);
 const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
+const UNDO: KeyHelp = (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO);
 
 /// The keys of the editor with [`Tools::Methods`] for its help page.
 pub const METHOD_KEYS: &[KeyHelp] = &[
@@ -127,6 +128,7 @@ pub const METHOD_KEYS: &[KeyHelp] = &[
     HOME,
     FOLLOW,
     SAVE,
+    UNDO,
 ];
 
 /// The keys of the editor with [`Tools::Beta`] for its help page.
@@ -146,6 +148,7 @@ pub const BETA_KEYS: &[KeyHelp] = &[
     HOME,
     FOLLOW,
     SAVE,
+    UNDO,
 ];
 
 /// Runs the editor as a program, with a document that was named at the start or none.
