@@ -16,16 +16,21 @@ const MANUAL: Manual = Manual {
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer")),
         (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink")),
         (Words("Enter", "Enter"), Words("1. rész: tovább a másodikra", "part 1: go on to the second")),
+        (Words("Esc", "Esc"), Words("vége", "end")),
         (Words("bármi más", "any other"), Words("2. rész: vége", "part 2: end")),
     ],
     lesson: &[
         Lesson::Line(Words(
-            "Az egérkezelő a kurzor minden képpontján: (c AND képernyőmaszk) XOR",
-            "The mouse driver does on each pixel of the pointer: (c AND screen mask)",
+            "Az egérkezelő a kurzor minden képpontján ezt végzi el:",
+            "The mouse driver does this to every pixel c under the pointer:",
         )),
         Lesson::Line(Words(
-            "kurzormaszk. A maszkok 16x16 bitesek; egy bit a szín mind a 4 bitjére hat.",
-            "XOR cursor mask. The masks have 16x16 bits, each for all 4 bits of c.",
+            "    c' = (c AND képernyőmaszk) XOR kurzormaszk",
+            "    c' = (c AND screen mask) XOR cursor mask",
+        )),
+        Lesson::Line(Words(
+            "A maszkok 16x16 bitesek; egy bit a szín mind a négy bitjére hat.",
+            "The masks have 16x16 bits; each bit acts on all four bits of c.",
         )),
         Lesson::Pointer,
     ],

@@ -19,20 +19,20 @@ const MANUAL: Manual = Manual {
     ],
     lesson: &[
         Lesson::Line(Words(
-            "1. A kurzor helyén a háttér mentése. 2. A teljes kereszt OR művelettel:",
-            "1. Save the background. 2. Put the whole cross by OR: white wherever it",
+            "1. A kurzor helyén levő háttér mentése.",
+            "1. Save the background where the cursor will be.",
         )),
         Lesson::Line(Words(
-            "fehér (c OR 15 = 15), bármi van alatta. 3. Csak a kereszt szegélye XOR",
-            "lies (c OR 15 = 15). 3. Put only its border by XOR: black (15 XOR 15 = 0).",
+            "2. A teljes kereszt OR művelettel: c OR 15 = 15, mindenütt fehér.",
+            "2. Put the whole cross by OR: c OR 15 = 15, white everywhere.",
         )),
         Lesson::Line(Words(
-            "művelettel: fekete (15 XOR 15 = 0). Máshol k = 0, ott c marad. Továbbmenés",
-            "Elsewhere k = 0, and c stays. Before going on the saved background is put",
+            "3. Csak a szegélye XOR művelettel: 15 XOR 15 = 0, fekete.",
+            "3. Put its border alone by XOR: 15 XOR 15 = 0, black.",
         )),
         Lesson::Line(Words(
-            "előtt a mentett háttér visszakerül. A kurzor mindenhol ugyanolyan színű.",
-            "back. The cursor has the same colours everywhere.",
+            "Ahol k = 0, ott c marad. Mozgás előtt a mentett háttér visszakerül.",
+            "Where k = 0, c stays. Before a move the saved background is put back.",
         )),
         Lesson::Operation(Put::Or),
         Lesson::Operation(Put::Xor),

@@ -20,15 +20,15 @@ const MANUAL: Manual = Manual {
         )),
         Lesson::Line(Words(
             "Fekete (0) képpontja alatt c marad c, fehér (15) alatt 15-c lesz.",
-            "Under its black pixels (0) c stays c, under white ones (15) it is 15-c.",
+            "Under its black pixels (0) c stays, under white ones (15) it is 15-c.",
         )),
         Lesson::Line(Words(
             "Ugyanoda még egyszer kitéve eltűnik: (c XOR k) XOR k = c. A hátteret",
-            "Put there once more it vanishes: (c XOR k) XOR k = c. The background need",
+            "Put there once more it vanishes: (c XOR k) XOR k = c. The background",
         )),
         Lesson::Line(Words(
             "nem kell elmenteni, de a kurzor színe attól függ, mi van alatta.",
-            "not be saved, but the cursor's colour depends on what lies under it.",
+            "need not be saved, but the colour of the cursor depends on it.",
         )),
         Lesson::Operation(Put::Xor),
     ],

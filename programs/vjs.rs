@@ -30,20 +30,18 @@ const MANUAL: Manual = Manual {
     ],
     lesson: &[
         Lesson::Line(Words(
-            "A fogantyú helye a mozgó pont a gyorsulása. Minden tau időlépésben (1.1):",
-            "The place of the stick is the acceleration a of the point. In every",
+            "A fogantyú helye a pont gyorsulása, a. Minden tau időlépésben (1.1):",
+            "The stick gives the point its acceleration a. Every step of time tau:",
         )),
-        Lesson::Line(Words("", "time step tau, by (1.1):")),
         Lesson::Line(Words(
             "    v = v0 + a tau        x = x0 + (v0 + v) tau / 2",
-            "    v = v0 + a tau        x = x0 + (v0 + v) tau / 2",
+            "    v = v0 + a tau        x = x0 + (v0 + v) tau / 2        (1.1)",
         )),
-        Lesson::Line(Words("", "")),
         Lesson::Line(Words(
-            "külön x és y irányban. Falnál a sebesség falra merőleges összetevője",
+            "külön x és y irányban. Falnál a sebesség rá merőleges összetevője",
             "in x and y apart. At a wall the component of the velocity across it",
         )),
-        Lesson::Line(Words("előjelet vált: az energia megmarad.", "turns round: energy is kept.")),
+        Lesson::Line(Words("előjelet vált, az energia megmarad.", "turns round, and the energy is kept.")),
     ],
 };
 

@@ -14,6 +14,7 @@ use common::reference::Allowance;
 use common::{Kept, pictures, play_script, random, reference};
 use grafika::launch::Program;
 use grafika::machine::{Memory, Script, Settings, play};
+use grafika::ui::{Lesson, Words};
 use serde_json::{Value, json};
 
 const XOR: Program = gr_kz_x::PROGRAM;
@@ -25,6 +26,25 @@ fn every_reference_script_gives_the_originals_screen() {
     // The originals' discs are drawn by another routine.
     for (program, prefix, count) in [(XOR, "GR_KZ_X_", 1), (OR, "GR_KZ_O_", 1), (MASKS, "EG_KZ_K_", 3)] {
         reference::assert_screens_within(program, "reference/games", prefix, count, Allowance::Pixels(40));
+    }
+}
+
+/// The picture of the winking right eye holds only the right button, although its script has the left one
+/// down too; with the right one alone ours is the same to the pixel.
+#[test]
+fn the_right_button_shuts_the_right_eye() {
+    let ours = &play_to_end(MASKS, "key Enter\npress right").pictures["end.png"];
+    let theirs = common::path("reference/games/EG_KZ_K_smiley_right.png");
+    pictures::compare("eg_kz_k_right_eye", ours, &theirs).unwrap();
+}
+
+#[test]
+fn lessons_fit_on_the_help_page() {
+    let lines = [XOR, OR, MASKS].into_iter().flat_map(|program| program.manual.lesson);
+    for line in lines {
+        if let Lesson::Line(Words(hungarian, english)) = line {
+            assert!(hungarian.chars().count() <= 70 && english.chars().count() <= 70, "{hungarian}");
+        }
     }
 }
 

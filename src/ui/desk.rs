@@ -193,7 +193,7 @@ fn free_name(storage: &dyn Storage, program: &str) -> String {
     name(number.unwrap_or(u32::MAX))
 }
 
-/// Keys of every program, listed under its own.
+/// Keys of every program, listed under its own but for those that it lists itself.
 const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),
@@ -210,7 +210,11 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
     screen.text(40, 52, manual.about.of(language), Color::White);
     let mut y = 80;
-    for (keys, what) in manual.keys.iter().chain(COMMON_KEYS) {
+    // A key that has a meaning of its own in a program has no other.
+    let own =
+        |key: &str| manual.keys.iter().any(|(keys, _)| keys.of(language).split(' ').any(|own| own == key));
+    let common = COMMON_KEYS.iter().filter(|(key, _)| !own(key.of(language)));
+    for (keys, what) in manual.keys.iter().chain(common) {
         screen.text(40, y, keys.of(language), Color::LightRed);
         screen.text(176, y, what.of(language), Color::White);
         y += 16;

@@ -3,7 +3,7 @@
 
 use super::words::{self, Words};
 use crate::machine::Language;
-use crate::screen::{Color, Masks, Put, Screen};
+use crate::screen::{Color, Masks, Put, Screen, Stroke};
 
 /// A piece of the explanation under the keys of the help page.
 #[derive(Clone, Copy, Debug)]
@@ -28,10 +28,14 @@ const TABLE: i32 = 260;
 const CELL: i32 = 8;
 /// Distance between the headings of a table and its cells.
 const GAP: i32 = 4;
+/// Cells of a row.
+const COLORS: i32 = 16;
 
 /// Draws an explanation from `top` down.
 pub(super) fn draw(screen: &mut Screen, top: i32, lesson: &[Lesson], language: Language) {
     let (mut x, mut y) = (LEFT, top);
+    // Tables stand a little below the text.
+    let below = |y: i32| y + 2 * GAP;
     for piece in lesson {
         match piece {
             Lesson::Line(text) => {
@@ -39,10 +43,10 @@ pub(super) fn draw(screen: &mut Screen, top: i32, lesson: &[Lesson], language: L
                 y += LINE;
             }
             Lesson::Operation(put) => {
-                operation(screen, (x, y + GAP), *put, language);
+                operation(screen, (x, below(y)), *put, language);
                 x += TABLE;
             }
-            Lesson::Pointer => pointer(screen, (x, y + GAP), language),
+            Lesson::Pointer => pointer(screen, (x, below(y)), language),
         }
     }
 }
@@ -65,6 +69,7 @@ fn operation(screen: &mut Screen, (x, y): (i32, i32), put: Put, language: Langua
         Put::Xor => "XOR",
         Put::And => "AND",
     };
+    frames(screen, (x, y));
     screen.text(x, y, name, Color::Yellow);
     screen.text(x + 40, y, words::LESSON_AXES.of(language), Color::LightGray);
     let (left, top) = (x + CELL + GAP, y + LINE + CELL + GAP);
@@ -77,10 +82,27 @@ fn operation(screen: &mut Screen, (x, y): (i32, i32), put: Put, language: Langua
     }
 }
 
+/// Lines around the headings and the cells of an operation's table with its title at (x, y), so that black
+/// cells are seen.
+fn frames(screen: &mut Screen, (x, y): (i32, i32)) {
+    let gray = Stroke::thin(Color::DarkGray);
+    let (left, top) = (x + CELL + GAP, y + LINE + CELL + GAP);
+    let (right, bottom) = (left + COLORS * CELL, top + COLORS * CELL);
+    screen.rectangle(left - 1, top - 1, right, bottom, gray);
+    screen.rectangle(x - 1, top - 1, x + CELL, bottom, gray);
+    row_frame(screen, left, y + LINE);
+}
+
+/// Lines around a row of sixteen cells.
+fn row_frame(screen: &mut Screen, x: i32, y: i32) {
+    screen.rectangle(x - 1, y - 1, x + COLORS * CELL, y + CELL, Stroke::thin(Color::DarkGray));
+}
+
 fn pointer(screen: &mut Screen, (x, y): (i32, i32), language: Language) {
     let left = x + 128;
     screen.text(x, y, words::LESSON_MASKS.of(language), Color::Yellow);
     let top = y + LINE + CELL + GAP;
+    row_frame(screen, left, y + LINE);
     for (column, below) in colors() {
         cell(screen, left + CELL * column, y + LINE, below);
     }
@@ -93,9 +115,10 @@ fn pointer(screen: &mut Screen, (x, y): (i32, i32), language: Language) {
     for (row, (kept, inverted, meaning)) in (0..).zip(rows) {
         let y = top + LINE * row;
         screen.text(x, y, &format!("{kept}       {inverted}"), Color::White);
+        row_frame(screen, left, y);
         for (column, below) in colors() {
             cell(screen, left + CELL * column, y, Masks::apply(below, kept == 1, inverted == 1));
         }
-        screen.text(left + CELL * 16 + 16, y, meaning.of(language), Color::White);
+        screen.text(left + CELL * COLORS + 16, y, meaning.of(language), Color::White);
     }
 }
