@@ -265,6 +265,20 @@ mod tests {
     }
 
     #[test]
+    fn a_settled_session_has_shown_an_animated_program_this_very_moment() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            loop {
+                let tick = machine.frame().await?;
+                machine.publish(tick.now.as_nanos() as u64);
+            }
+        });
+        for moment in [1, 1000, 1007] {
+            session.settle(ms(moment));
+            assert_eq!(session.model().unwrap().unwrap(), (moment * 1_000_000).to_string());
+        }
+    }
+
+    #[test]
     fn a_deadline_passes_before_a_later_event() {
         let mut session = Session::start(machine(), |mut machine| async move {
             let first = machine.event_before(ms(2000)).await?;
