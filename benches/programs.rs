@@ -13,7 +13,7 @@ use std::hint::black_box;
 use std::process::Command;
 use std::time::Duration;
 
-const MANUAL: Manual = Manual { name: "bench", about: Words("", ""), keys: &[] };
+const MANUAL: Manual = Manual { name: "bench", about: Words("", ""), keys: &[], lesson: &[] };
 
 /// Takes nothing.
 struct Nowhere;

@@ -20,6 +20,7 @@ const MANUAL: Manual = Manual {
     name: "biliard",
     about: Words("Biliárd tizenegy golyóval", "Billiards with eleven balls"),
     keys: texts::KEYS,
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -12,6 +12,7 @@ const MANUAL: Manual = Manual {
         "Plane beta-splines: bias and tension",
     ),
     keys: Tools::Beta.keys(),
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

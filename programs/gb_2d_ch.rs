@@ -13,6 +13,7 @@ const MANUAL: Manual = Manual {
         "Plane Coons-Hermite curves with tangents of your own",
     ),
     keys: Tools::Tangents.keys(),
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

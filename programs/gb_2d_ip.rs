@@ -13,6 +13,7 @@ const MANUAL: Manual = Manual {
         "Plane curves: Coons, Bézier, spline, B-spline",
     ),
     keys: Tools::Methods.keys(),
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

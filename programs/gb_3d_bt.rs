@@ -12,6 +12,7 @@ const MANUAL: Manual = Manual {
         "Beta-splines in space with bias and tension",
     ),
     keys: space::BETA_KEYS,
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

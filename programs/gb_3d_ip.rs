@@ -13,6 +13,7 @@ const MANUAL: Manual = Manual {
         "Curves in space: Coons, Bézier, spline, B-spline",
     ),
     keys: space::METHOD_KEYS,
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

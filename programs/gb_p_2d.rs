@@ -9,6 +9,7 @@ const MANUAL: Manual = Manual {
     name: "gb_p_2d",
     about: Words("Síkgörbék Fourier-együtthatókkal", "Plane curves by Fourier coefficients"),
     keys: fourier::KEYS,
+    lesson: &[],
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -4,8 +4,9 @@
 //!
 //! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
 //! [`screen`], [`geometry`], [`table`] and [`pascal`] on the ground floor, above them [`mod@file`], [`figure`] and
-//! [`machine`], then [`ui`], then [`editor`]. The programs themselves stand on top of the library.
+//! [`machine`], then [`ui`], then [`editor`] and [`cursor`]. The programs themselves stand on top of the library.
 
+pub mod cursor;
 pub mod editor;
 pub mod figure;
 pub mod file;

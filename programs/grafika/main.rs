@@ -2,6 +2,8 @@
 
 #[path = "../biliard.rs"]
 mod biliard;
+#[path = "../eg_kz_k.rs"]
+mod eg_kz_k;
 #[path = "../gb_2d_bt.rs"]
 mod gb_2d_bt;
 #[path = "../gb_2d_ch.rs"]
@@ -14,6 +16,12 @@ mod gb_3d_bt;
 mod gb_3d_ip;
 #[path = "../gb_p_2d.rs"]
 mod gb_p_2d;
+#[path = "../gr_kz_o.rs"]
+mod gr_kz_o;
+#[path = "../gr_kz_x.rs"]
+mod gr_kz_x;
+#[path = "../vjs.rs"]
+mod vjs;
 
 mod convert;
 mod curve;
@@ -32,6 +40,10 @@ use std::process::ExitCode;
 
 /// Every program, in the order of the book.
 const PROGRAMS: &[Program] = &[
+    gr_kz_x::PROGRAM,
+    gr_kz_o::PROGRAM,
+    eg_kz_k::PROGRAM,
+    vjs::PROGRAM,
     gb_p_2d::PROGRAM,
     gb_2d_ch::PROGRAM,
     gb_2d_ip::PROGRAM,

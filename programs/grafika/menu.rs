@@ -14,6 +14,7 @@ const MANUAL: Manual = Manual {
         (Words("Enter, egér", "Enter, mouse"), Words("indítás", "start")),
         (Words("Q Esc", "Q Esc"), Words("vége", "end")),
     ],
+    lesson: &[],
 };
 
 /// The menu as a program.

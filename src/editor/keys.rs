@@ -13,3 +13,4 @@ pub(super) const RESULT: KeyHelp = (Words("E", "E"), words::HELP_RESULT);
 pub(super) const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
 pub(super) const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_FOLLOW);
 pub(super) const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
+pub(super) const UNDO: KeyHelp = (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO);

@@ -26,6 +26,14 @@ use std::process::ExitCode;
 /// A running program: ready when it has ended.
 pub type Run<'m> = Pin<Box<dyn Future<Output = Result<(), Quit>> + 'm>>;
 
+/// The check of a program that works without any file.
+///
+/// # Errors
+/// Always: that it takes none.
+pub fn no_file(_: &Document) -> Result<(), Phrase> {
+    Err(Phrase::new("ez a program file nélkül működik", "this program takes no file"))
+}
+
 /// A program of the book.
 #[derive(Clone, Copy)]
 pub struct Program {

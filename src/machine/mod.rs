@@ -181,6 +181,13 @@ impl Machine {
         self.port.borrow().mouse
     }
 
+    /// Puts the mouse at a pixel, as far as the program and the pointer go, until it is moved again: how a
+    /// program keeps the mouse in a part of the screen, or moves it by keys.
+    pub fn put_mouse(&mut self, x: i32, y: i32) {
+        let mut port = self.port.borrow_mut();
+        port.mouse = port.mouse.after(Event::Move(x, y));
+    }
+
     /// Time since the program started.
     pub fn now(&self) -> Duration {
         self.port.borrow().now

@@ -181,7 +181,7 @@ pub fn play(session: &mut Session, script: &Script, outlet: &mut dyn Outlet) -> 
         match command {
             Command::Wait(pause) => {
                 now += *pause;
-                session.advance(now);
+                session.settle(now);
             }
             Command::Pointer(on) => pointer = *on,
             Command::Shot(path) => {

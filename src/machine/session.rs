@@ -115,6 +115,16 @@ impl Session {
         port.now = port.now.max(now);
     }
 
+    /// Lets the session's time reach `now` as [`Session::advance`] does, and shows an animated program this
+    /// very moment, although no frame may be due: its model is that of the moment then.
+    pub fn settle(&mut self, now: Duration) {
+        self.advance(now);
+        let behind = self.port.borrow().wait == Wait::Frame;
+        if behind && !self.ended() {
+            self.deliver(None, now);
+        }
+    }
+
     /// Delivers one event that happened at `now`; the program has fully reacted when this returns.
     pub fn send(&mut self, event: Event, now: Duration) {
         self.advance(now);
@@ -252,6 +262,20 @@ mod tests {
         };
         assert_eq!(count(&[1000]), "61");
         assert_eq!(count(&[1, 2, 3, 17, 500, 501, 999, 1000]), "61");
+    }
+
+    #[test]
+    fn a_settled_session_has_shown_an_animated_program_this_very_moment() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            loop {
+                let tick = machine.frame().await?;
+                machine.publish(tick.now.as_nanos() as u64);
+            }
+        });
+        for moment in [1, 1000, 1007] {
+            session.settle(ms(moment));
+            assert_eq!(session.model().unwrap().unwrap(), (moment * 1_000_000).to_string());
+        }
     }
 
     #[test]

@@ -31,6 +31,15 @@ impl Masks {
         ],
         hot: (-1, -1),
     };
+
+    /// What a pair of mask bits makes of a colour on the screen.
+    #[must_use]
+    pub const fn apply(color: Color, screen_bit: bool, cursor_bit: bool) -> Color {
+        const fn mask(bit: bool) -> Color {
+            if bit { Color::White } else { Color::Black }
+        }
+        Put::Xor.apply(Put::And.apply(color, mask(screen_bit)), mask(cursor_bit))
+    }
 }
 
 impl Screen {
@@ -39,11 +48,10 @@ impl Screen {
         let (left, top) = (x.saturating_sub(masks.hot.0), y.saturating_sub(masks.hot.1));
         for (row, (kept, inverted)) in (0..).zip(masks.screen.into_iter().zip(masks.cursor)) {
             for column in 0..16 {
-                let mask = |bits: u16| if bits << column & 0x8000 == 0 { 0 } else { 15 };
+                let bit = |bits: u16| bits << column & 0x8000 != 0;
                 let (x, y) = (left.saturating_add(column), top.saturating_add(row));
                 if let Some(color) = self.pixel(x, y) {
-                    let color = Put::And.apply(color, Color::from_index(mask(kept)));
-                    self.set(x, y, Put::Xor.apply(color, Color::from_index(mask(inverted))));
+                    self.set(x, y, Masks::apply(color, bit(kept), bit(inverted)));
                 }
             }
         }

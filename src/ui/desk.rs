@@ -1,5 +1,6 @@
 //! The desk a program works at: the machine, the keys that mean the same everywhere, and the help page.
 
+use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
 use crate::figure::screen_png;
@@ -31,6 +32,8 @@ pub struct Manual {
     pub about: Words,
     /// Its keys.
     pub keys: &'static [KeyHelp],
+    /// What it teaches, shown under the keys; empty for most.
+    pub lesson: &'static [Lesson],
 }
 
 /// A machine with the manual of the program that works on it.
@@ -39,12 +42,22 @@ pub struct Desk<'m> {
     pub machine: &'m mut Machine,
     manual: Manual,
     notice: Option<Notice>,
+    /// How long the help page has been open, all times together.
+    away: Duration,
+}
+
+/// When a desk wakes a program without any event.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Wake {
+    Never,
+    Frame,
+    At(Duration),
 }
 
 impl<'m> Desk<'m> {
     /// A desk for a program.
     pub fn new(machine: &'m mut Machine, manual: Manual) -> Desk<'m> {
-        Desk { machine, manual, notice: None }
+        Desk { machine, manual, notice: None, away: Duration::ZERO }
     }
 
     /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
@@ -53,7 +66,7 @@ impl<'m> Desk<'m> {
     /// # Errors
     /// [`Quit`] when the display is being closed.
     pub async fn event(&mut self, picture: &dyn Picture) -> Result<Tick, Quit> {
-        self.event_within(picture, None).await
+        self.event_within(picture, Wake::Never).await
     }
 
     /// As [`Desk::event`], but not beyond a moment: a tick without event then.
@@ -61,23 +74,45 @@ impl<'m> Desk<'m> {
     /// # Errors
     /// [`Quit`] when the display is being closed.
     pub async fn event_before(&mut self, picture: &dyn Picture, moment: Duration) -> Result<Tick, Quit> {
-        self.event_within(picture, Some(moment)).await
+        self.event_within(picture, Wake::At(moment)).await
     }
 
-    async fn event_within(&mut self, picture: &dyn Picture, moment: Option<Duration>) -> Result<Tick, Quit> {
+    /// As [`Desk::event`], but not beyond the next frame of an animation: a tick without event then.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn frame(&mut self, picture: &dyn Picture) -> Result<Tick, Quit> {
+        self.event_within(picture, Wake::Frame).await
+    }
+
+    /// Time since the program started, without that on the help page: an animation by this clock stands
+    /// still while its help is read.
+    pub fn clock(&self) -> Duration {
+        self.machine.now().saturating_sub(self.away)
+    }
+
+    async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Result<Tick, Quit> {
         loop {
             self.draw(picture);
             let expiry = self.notice.as_ref().and_then(|notice| notice.until);
-            let tick = match moment.into_iter().chain(expiry).min() {
-                Some(moment) => self.machine.event_before(moment).await?,
-                None => self.machine.event().await?,
+            let tick = match (wake, expiry) {
+                (Wake::Frame, _) => self.machine.frame().await?,
+                (Wake::At(moment), None) => self.machine.event_before(moment).await?,
+                (Wake::At(moment), Some(expiry)) => self.machine.event_before(moment.min(expiry)).await?,
+                (Wake::Never, Some(expiry)) => self.machine.event_before(expiry).await?,
+                (Wake::Never, None) => self.machine.event().await?,
+            };
+            let due = match wake {
+                Wake::Never => false,
+                Wake::Frame => true,
+                Wake::At(moment) => moment <= tick.now,
             };
             self.forget_notice(&tick);
             match tick.key() {
                 Some(Key::F(1)) => self.help().await?,
                 Some(Key::F(2)) => self.machine.set_language(self.machine.language().other()),
                 Some(Key::F(12)) => self.keep_picture(),
-                None if tick.event.is_none() && moment.is_none_or(|moment| tick.now < moment) => {}
+                None if tick.event.is_none() && !due => {}
                 _ => return Ok(tick),
             }
         }
@@ -127,8 +162,16 @@ impl<'m> Desk<'m> {
         Ok(name)
     }
 
-    /// Shows the program's keys until a key or click.
+    /// Shows the help page and keeps the time that it takes.
     async fn help(&mut self) -> Result<(), Quit> {
+        let begun = self.machine.now();
+        let ended = self.read_help().await;
+        self.away += self.machine.now().saturating_sub(begun);
+        ended
+    }
+
+    /// Shows the program's keys until a key or click.
+    async fn read_help(&mut self) -> Result<(), Quit> {
         loop {
             let language = self.machine.language();
             help_page(self.machine.screen(), &self.manual, language);
@@ -150,9 +193,8 @@ fn free_name(storage: &dyn Storage, program: &str) -> String {
     name(number.unwrap_or(u32::MAX))
 }
 
-/// Keys of every program, listed under its own.
+/// Keys of every program, listed under its own but for those that it lists itself.
 const COMMON_KEYS: &[KeyHelp] = &[
-    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO),
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),
     (Words("F11", "F11"), words::HELP_LARGEST),
@@ -167,10 +209,16 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     super::frame::sunken(screen, inner, 4);
     screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
     screen.text(40, 52, manual.about.of(language), Color::White);
-    for (row, (keys, what)) in (0..).zip(manual.keys.iter().chain(COMMON_KEYS)) {
-        let y = 80 + 16 * row;
+    let mut y = 80;
+    // A key that has a meaning of its own in a program has no other.
+    let own =
+        |key: &str| manual.keys.iter().any(|(keys, _)| keys.of(language).split(' ').any(|own| own == key));
+    let common = COMMON_KEYS.iter().filter(|(key, _)| !own(key.of(language)));
+    for (keys, what) in manual.keys.iter().chain(common) {
         screen.text(40, y, keys.of(language), Color::LightRed);
         screen.text(176, y, what.of(language), Color::White);
+        y += 16;
     }
+    lesson::draw(screen, y + 8, manual.lesson, language);
     screen.text(40, HEIGHT - 40, words::HELP_LEAVE.of(language), Color::LightGray);
 }

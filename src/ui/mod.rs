@@ -8,6 +8,7 @@ mod ask;
 mod desk;
 mod entry;
 mod frame;
+mod lesson;
 mod notice;
 pub mod words;
 
@@ -15,5 +16,6 @@ pub use ask::{Answer, Caption, Field, Form, MIDDLE, Number, Question, TOP, Way};
 pub use desk::{Desk, KeyHelp, Manual, Picture};
 pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};
+pub use lesson::Lesson;
 pub use notice::Stay;
 pub use words::{Hot, Phrase, Words};

@@ -99,6 +99,15 @@ pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "   S
 pub(crate) const FILE_NAME: Words = Words("File neve ?", "File name ?");
 pub(crate) const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
 
+// The help page's tables of operations.
+pub(crate) const LESSON_AXES: Words = Words("képernyő le, kép jobbra", "screen down, image right");
+pub(crate) const LESSON_MASKS: Words =
+    Words("AND     XOR     c = 0...15 a képernyőn", "AND     XOR     c = 0...15 on the screen");
+pub(crate) const LESSON_BLACK: Words = Words("fekete (0)", "black (0)");
+pub(crate) const LESSON_WHITE: Words = Words("fehér (15)", "white (15)");
+pub(crate) const LESSON_KEPT: Words = Words("marad (c)", "kept (c)");
+pub(crate) const LESSON_INVERSE: Words = Words("ellentett (15-c)", "inverse (15-c)");
+
 // Entries.
 pub(crate) const NUMBER_ENTRY: Words = Words("Sorszám:", "Number:");
 pub(crate) const PLACE_ENTRY: Words = Words("Hely:", "Place");

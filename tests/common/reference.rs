@@ -7,9 +7,34 @@ use grafika::launch::Program;
 /// another face, which alone is some 0.3 %.
 const LEAST_AGREEMENT: f64 = 0.985;
 
+/// How far a screen may be from the original's.
+#[derive(Clone, Copy)]
+pub(crate) enum Allowance {
+    /// The least part of all pixels that must agree, 0 to 1.
+    Agreement(f64),
+    /// The largest number of pixels that may differ.
+    Pixels(usize),
+}
+
+impl Allowance {
+    /// What is wrong with a screen, if it is further off.
+    fn problem(self, ours: &[u8], theirs: &[u8]) -> Option<String> {
+        match self {
+            Allowance::Agreement(least) => {
+                let agreement = pictures::agreement(ours, theirs);
+                (agreement < least).then(|| format!("{agreement:.4} agree"))
+            }
+            Allowance::Pixels(most) => {
+                let difference = pictures::difference(ours, theirs)?;
+                (difference.pixels > most).then(|| difference.to_string())
+            }
+        }
+    }
+}
+
 /// Plays every script of a folder whose name begins so, and compares the screens. Returns how many
 /// there were and the problems.
-fn compare_all(program: Program, folder: &str, prefix: &str) -> (usize, Vec<String>) {
+fn compare_all(program: Program, folder: &str, prefix: &str, allowance: Allowance) -> (usize, Vec<String>) {
     let folder_path = path(folder);
     let mut scripts = 0;
     let mut problems = Vec::new();
@@ -26,10 +51,9 @@ fn compare_all(program: Program, folder: &str, prefix: &str) -> (usize, Vec<Stri
         let picture = format!("{name}.png");
         let ours = kept.pictures[&picture].pixels();
         let theirs = pictures::read(&folder_path.join(&picture));
-        let agreement = pictures::agreement(ours, &theirs);
-        if agreement < LEAST_AGREEMENT {
+        if let Some(problem) = allowance.problem(ours, &theirs) {
             let kept = pictures::keep_both(&name, ours, &theirs);
-            problems.push(format!("{name}: {agreement:.4} agree, see {}", kept.display()));
+            problems.push(format!("{name}: {problem}, see {}", kept.display()));
         }
         scripts += 1;
     }
@@ -38,7 +62,18 @@ fn compare_all(program: Program, folder: &str, prefix: &str) -> (usize, Vec<Stri
 
 /// Fails unless there are so many scripts whose names begin so, and each gives the original's screen.
 pub(crate) fn assert_screens(program: Program, folder: &str, prefix: &str, count: usize) {
-    let (scripts, problems) = compare_all(program, folder, prefix);
+    assert_screens_within(program, folder, prefix, count, Allowance::Agreement(LEAST_AGREEMENT));
+}
+
+/// As [`assert_screens`], with an allowance of one's own.
+pub(crate) fn assert_screens_within(
+    program: Program,
+    folder: &str,
+    prefix: &str,
+    count: usize,
+    allowance: Allowance,
+) {
+    let (scripts, problems) = compare_all(program, folder, prefix, allowance);
     assert!(problems.is_empty(), "{}", problems.join("\n"));
     assert_eq!(scripts, count);
 }

@@ -12,6 +12,7 @@ pub use coefficient::{coefficients, curve};
 
 use super::History;
 use super::configuration::{self, Configuration, Next, common_key, event, quit};
+use super::keys::{SAVE, UNDO};
 use crate::file::{Document, Format, Fourier};
 use crate::machine::{Event, Key, Machine, Quit, Tick};
 use crate::screen::{Color, Screen};
@@ -69,7 +70,8 @@ pub const KEYS: &[KeyHelp] = &[
     (Words("Enter", "Enter"), words::HELP_TYPE),
     (Words("F5", "F5"), words::HELP_FIT),
     (Words("Q", "Q"), words::HELP_QUIT),
-    (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE),
+    SAVE,
+    UNDO,
 ];
 
 /// Runs the editor as a program, with a document that was named at the start or none.

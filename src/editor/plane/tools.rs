@@ -1,7 +1,7 @@
 //! What the programs of the plane editor have of their own: their curves, buttons and files.
 
 use super::Words;
-use crate::editor::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE};
+use crate::editor::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE, UNDO};
 use crate::editor::{beta, choice};
 use crate::file::Format;
 use crate::ui::words;
@@ -60,6 +60,7 @@ const METHOD_KEYS: &[KeyHelp] = &[
     (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE),
     (Words("F5", "F5"), words::HELP_WORKSHOP),
     SAVE,
+    UNDO,
 ];
 
 const TANGENT_KEYS: &[KeyHelp] = &[
@@ -73,6 +74,7 @@ const TANGENT_KEYS: &[KeyHelp] = &[
     QUIT,
     FOLLOW,
     SAVE,
+    UNDO,
 ];
 
 const BETA_KEYS: &[KeyHelp] = &[
@@ -88,4 +90,5 @@ const BETA_KEYS: &[KeyHelp] = &[
     (Words("F5", "F5"), words::HELP_JOINTS),
     (Words("F6", "F6"), words::HELP_JOINTS_OFF),
     SAVE,
+    UNDO,
 ];

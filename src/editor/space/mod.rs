@@ -12,7 +12,7 @@ use super::choice::{COMMANDS, METHODS, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit};
 use super::field::PICTURE;
-use super::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE};
+use super::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE, UNDO};
 use super::stage::Stage;
 use crate::file::{Document, Format, SpacePoints};
 use crate::geometry::{Closure, Point, Shape};
@@ -95,12 +95,14 @@ const ZOOM: KeyHelp = (Words("kerék", "wheel"), words::HELP_ZOOM);
 const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);
 
 /// The keys of the editor with [`Tools::Methods`] for its help page.
-pub const METHOD_KEYS: &[KeyHelp] =
-    &[INSERT, CHANGE, DELETE, METHOD, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, SAVE];
+pub const METHOD_KEYS: &[KeyHelp] = &[
+    INSERT, CHANGE, DELETE, METHOD, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, SAVE, UNDO,
+];
 
 /// The keys of the editor with [`Tools::Beta`] for its help page.
 pub const BETA_KEYS: &[KeyHelp] = &[
     INSERT, CHANGE, DELETE, SHAPE, FORM, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, SAVE,
+    UNDO,
 ];
 
 /// Runs the editor as a program, with a document that was named at the start or none.

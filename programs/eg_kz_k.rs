@@ -1,0 +1,155 @@
+//! EG_KZ_K: the pointer of the mouse driver, made of two masks (chapter 1.4): first the four combinations
+//! of mask bits, then a face whose eyes are shut by the mouse buttons.
+
+use grafika::cursor;
+use grafika::launch::{Program, no_file};
+use grafika::machine::{Button, Key, Language, Machine, Mouse, Pointer, Quit, Tick};
+use grafika::screen::{HEIGHT, Masks, Screen, WIDTH};
+use grafika::ui::{Area, Desk, Lesson, Manual, Words};
+use serde::Serialize;
+use std::process::ExitCode;
+
+const MANUAL: Manual = Manual {
+    name: "eg_kz_k",
+    about: Words("Az egérkurzor két maszkja", "The two masks of the mouse pointer"),
+    keys: &[
+        (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer")),
+        (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink")),
+        (Words("Enter", "Enter"), Words("1. rész: tovább a másodikra", "part 1: go on to the second")),
+        (Words("Esc", "Esc"), Words("vége", "end")),
+        (Words("bármi más", "any other"), Words("2. rész: vége", "part 2: end")),
+    ],
+    lesson: &[
+        Lesson::Line(Words(
+            "Az egérkezelő a kurzor minden képpontján ezt végzi el:",
+            "The mouse driver does this to every pixel c under the pointer:",
+        )),
+        Lesson::Line(Words(
+            "    c' = (c AND képernyőmaszk) XOR kurzormaszk",
+            "    c' = (c AND screen mask) XOR cursor mask",
+        )),
+        Lesson::Line(Words(
+            "A maszkok 16x16 bitesek; egy bit a szín mind a négy bitjére hat.",
+            "The masks have 16x16 bits; each bit acts on all four bits of c.",
+        )),
+        Lesson::Pointer,
+    ],
+};
+
+pub(crate) const PROGRAM: Program =
+    Program { manual: MANUAL, chapter: "1.4", run: |machine, _| Box::pin(run(machine)), check: no_file };
+
+/// Where the mouse may go; the edges belong to it.
+const RANGE: Area = Area::new(2, 2, 638, 478);
+/// The hot spot of all masks here: their middle.
+const HOT: (i32, i32) = (8, 8);
+
+/// The four combinations of mask bits, a quarter each: black and white above, the screen's own and its
+/// inverse colours below.
+static QUARTERS: Masks = Masks {
+    screen: [0, 0, 0, 0, 0, 0, 0, 0, !0, !0, !0, !0, !0, !0, !0, !0],
+    cursor: [0x00FF; 16],
+    hot: HOT,
+};
+
+/// The face with both eyes open, the left one shut (on the viewer's left), the right one, both.
+static FACES: [Masks; 4] =
+    [face(0x33CC, 0x2DB4), face(0x3FCC, 0x3FB4), face(0x33FC, 0x2DFC), face(0x3FFC, 0x3FFC)];
+
+/// The masks of the face by the two rows of its cursor mask with the eyes.
+const fn face(brows: u16, eyes: u16) -> Masks {
+    Masks {
+        screen: [
+            0xFC3F, 0xF00F, 0xE007, 0xC003, 0x8001, 0x8001, 0x0000, 0x0000, 0x0000, 0x0000, 0x8001, 0x8001,
+            0xC003, 0xE007, 0xF00F, 0xFC3F,
+        ],
+        cursor: [
+            0x0000, 0x03C0, 0x0FF0, 0x1FF8, brows, eyes, 0x6DB6, 0x73CE, 0x7FFE, 0x7FFE, 0x37EC, 0x3BDC,
+            0x1C38, 0x0FF0, 0x03C0, 0x0000,
+        ],
+        hot: HOT,
+    }
+}
+
+/// The two parts of the program.
+#[derive(Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Part {
+    Quarters,
+    Face,
+}
+
+impl Part {
+    fn screen(self) -> Screen {
+        match self {
+            Part::Quarters => cursor::patchwork(40, 17, 1),
+            Part::Face => cursor::patchwork(4, 163, 0),
+        }
+    }
+
+    fn masks(self, mouse: Mouse) -> &'static Masks {
+        let [open, left, right, both] = &FACES;
+        match (self, mouse.holds(Button::Left), mouse.holds(Button::Right)) {
+            (Part::Quarters, ..) => &QUARTERS,
+            (Part::Face, false, false) => open,
+            (Part::Face, true, false) => left,
+            (Part::Face, false, true) => right,
+            (Part::Face, true, true) => both,
+        }
+    }
+
+    /// Whether a tick ends this part: Enter the first one, any key the second one, but for the keys that
+    /// move the pointer and those with a meaning in every program.
+    fn ends(self, tick: &Tick) -> bool {
+        match (self, tick.key()) {
+            (Part::Quarters, key) => key == Some(Key::Enter),
+            (Part::Face, None | Some(Key::Up | Key::Down | Key::Left | Key::Right | Key::F(_))) => false,
+            (Part::Face, Some(_)) => true,
+        }
+    }
+}
+
+/// What is shown, for `dump`.
+#[derive(Serialize)]
+struct Model {
+    part: Part,
+    x: i32,
+    y: i32,
+    left_shut: bool,
+    right_shut: bool,
+}
+
+async fn run(machine: &mut Machine) -> Result<(), Quit> {
+    let ended = both_parts(&mut Desk::new(machine, MANUAL)).await;
+    machine.set_pointer(Pointer::Shown(&Masks::ARROW));
+    ended
+}
+
+async fn both_parts(desk: &mut Desk<'_>) -> Result<(), Quit> {
+    desk.machine.put_mouse(WIDTH / 2, HEIGHT / 2);
+    for part in [Part::Quarters, Part::Face] {
+        let background = part.screen();
+        loop {
+            let mouse = desk.machine.mouse();
+            desk.machine.set_pointer(Pointer::Shown(part.masks(mouse)));
+            let [left_shut, right_shut] =
+                [Button::Left, Button::Right].map(|button| part == Part::Face && mouse.holds(button));
+            desk.machine.publish(Model { part, x: mouse.x, y: mouse.y, left_shut, right_shut });
+            let tick = desk.event(&|shown: &mut Screen, _: Language| shown.clone_from(&background)).await?;
+            if tick.pressed(Key::Esc) {
+                return Ok(());
+            }
+            if part.ends(&tick) {
+                break;
+            }
+            let (x, y) = cursor::place(&tick, RANGE);
+            desk.machine.put_mouse(x, y);
+        }
+    }
+    Ok(())
+}
+
+#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
+fn main() -> ExitCode {
+    PROGRAM.main()
+}

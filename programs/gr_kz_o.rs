@@ -1,0 +1,69 @@
+//! GR_KZ_O: a cursor of its own colours, put on the screen by or and exclusive-or over a background that
+//! is saved and put back (chapter 1.2).
+
+use grafika::cursor::{self, Cursor, Removal};
+use grafika::launch::{Program, no_file};
+use grafika::screen::{Color, Put, Screen, Stroke};
+use grafika::ui::{Lesson, Manual, Words};
+use std::process::ExitCode;
+
+const MANUAL: Manual = Manual {
+    name: "gr_kz_o",
+    about: Words(
+        "Grafikus kurzor OR és XOR művelettel, mentett háttérrel",
+        "A graphic cursor by or and exclusive-or, with its background saved",
+    ),
+    keys: &[
+        (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),
+        (Words("Esc", "Esc"), Words("vége", "end")),
+    ],
+    lesson: &[
+        Lesson::Line(Words(
+            "1. A kurzor helyén levő háttér mentése.",
+            "1. Save the background where the cursor will be.",
+        )),
+        Lesson::Line(Words(
+            "2. A teljes kereszt OR művelettel: c OR 15 = 15, mindenütt fehér.",
+            "2. Put the whole cross by OR: c OR 15 = 15, white everywhere.",
+        )),
+        Lesson::Line(Words(
+            "3. Csak a szegélye XOR művelettel: 15 XOR 15 = 0, fekete.",
+            "3. Put its border alone by XOR: 15 XOR 15 = 0, black.",
+        )),
+        Lesson::Line(Words(
+            "Ahol k = 0, ott c marad. Mozgás előtt a mentett háttér visszakerül.",
+            "Where k = 0, c stays. Before a move the saved background is put back.",
+        )),
+        Lesson::Operation(Put::Or),
+        Lesson::Operation(Put::Xor),
+    ],
+};
+
+pub(crate) const PROGRAM: Program = Program {
+    manual: MANUAL,
+    chapter: "1.2",
+    run: |machine, _| Box::pin(cursor::run(machine, MANUAL, cursor::patchwork(10, 71, 0), cross())),
+    check: no_file,
+};
+
+/// A white cross with a black border: the whole cross by or, then the border alone by exclusive-or.
+fn cross() -> Cursor {
+    let whole = Cursor::image(|screen| arms(screen, Stroke::thick(Color::White)));
+    let border = Cursor::image(|screen| {
+        arms(screen, Stroke::thick(Color::White));
+        arms(screen, Stroke::thin(Color::Black));
+    });
+    Cursor::new(vec![(whole, Put::Or), (border, Put::Xor)], Removal::PutSaved)
+}
+
+/// The two lines of the cross.
+fn arms(screen: &mut Screen, stroke: Stroke) {
+    let (middle, end) = (Cursor::RADIUS, 2 * Cursor::RADIUS);
+    screen.line(0, middle, end, middle, stroke);
+    screen.line(middle, 0, middle, end, stroke);
+}
+
+#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
+fn main() -> ExitCode {
+    PROGRAM.main()
+}

@@ -1,0 +1,160 @@
+//! VJS: the virtual joystick (chapter 1.5.2). A stick is dragged with the mouse in its square and gives a
+//! point on its track the acceleration; numbers tell time, place, velocity and acceleration.
+
+#[path = "vjs/motion.rs"]
+mod motion;
+#[path = "vjs/panel.rs"]
+mod panel;
+
+use grafika::launch::{Program, no_file};
+use grafika::machine::{Button, Key, Machine, Mouse, Quit, Tick};
+use grafika::ui::{Desk, Lesson, Manual, Words};
+use motion::{Motion, STEPS_PER_SECOND};
+use panel::{HANDLE_RADIUS, Panel, STICK};
+use serde::Serialize;
+use std::process::ExitCode;
+use std::time::Duration;
+
+const MANUAL: Manual = Manual {
+    name: "vjs",
+    about: Words("Virtuális joystick: gyorsulás egérrel", "A virtual joystick: acceleration by mouse"),
+    keys: &[
+        (
+            Words("egér", "mouse"),
+            Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; let go, it springs back"),
+        ),
+        (Words("nyilak", "arrows"), Words("a fogantyú döntése", "tilt the stick")),
+        (Words("Home", "Home"), Words("a fogantyú középre", "stick upright")),
+        (Words("szóköz", "space"), Words("minden az elejéről", "start again")),
+        (Words("Q Esc", "Q Esc"), Words("vége", "end")),
+    ],
+    lesson: &[
+        Lesson::Line(Words(
+            "A fogantyú helye a pont gyorsulása, a. Minden tau időlépésben (1.1):",
+            "The stick gives the point its acceleration a. Every step of time tau:",
+        )),
+        Lesson::Line(Words(
+            "    v = v0 + a tau        x = x0 + (v0 + v) tau / 2",
+            "    v = v0 + a tau        x = x0 + (v0 + v) tau / 2        (1.1)",
+        )),
+        Lesson::Line(Words(
+            "külön x és y irányban. Falnál a sebesség rá merőleges összetevője",
+            "in x and y apart. At a wall the component of the velocity across it",
+        )),
+        Lesson::Line(Words("előjelet vált, az energia megmarad.", "turns round, and the energy is kept.")),
+    ],
+};
+
+pub(crate) const PROGRAM: Program =
+    Program { manual: MANUAL, chapter: "1.5.2", run: |machine, _| Box::pin(run(machine)), check: no_file };
+
+/// How far the handle gets from the middle of its square, in pixels.
+const TILT: i32 = 40;
+/// How far an arrow key tilts it, in pixels.
+const TILT_STEP: i32 = 5;
+
+/// The stick and the point that it drives.
+#[derive(Default)]
+struct Joystick {
+    motion: Motion,
+    /// Offset of the handle from the middle of its square, in pixels; x to the right, y upwards.
+    handle: (i32, i32),
+    held: bool,
+    /// When the motion began, by the desk's clock.
+    begun: Duration,
+}
+
+/// The joystick for `dump`.
+#[derive(Serialize)]
+struct Model {
+    #[serde(flatten)]
+    motion: motion::Model,
+    handle: (i32, i32),
+    held: bool,
+}
+
+impl Joystick {
+    /// Lets the motion reach a moment of the desk's clock. Returns the part of the next step that has
+    /// passed by then, 0 to 1.
+    fn run_to(&mut self, now: Duration) -> f64 {
+        let step = Duration::from_secs(1) / STEPS_PER_SECOND;
+        let time = now.saturating_sub(self.begun).as_nanos();
+        let steps = u64::try_from(time / step.as_nanos()).unwrap_or(u64::MAX);
+        self.motion.run_to(steps);
+        (time % step.as_nanos()) as f64 / step.as_nanos() as f64
+    }
+
+    fn tilt(&mut self, x: i32, y: i32) {
+        self.handle = (x.clamp(-TILT, TILT), y.clamp(-TILT, TILT));
+        self.motion.acceleration = [f64::from(self.handle.0), f64::from(self.handle.1)];
+    }
+
+    fn let_go(&mut self) {
+        self.held = false;
+        self.tilt(0, 0);
+    }
+
+    /// Whether a pixel of the screen is on the handle.
+    fn is_on_handle(&self, (x, y): (i32, i32)) -> bool {
+        let (dx, dy) = (x - STICK.0 - self.handle.0, STICK.1 - self.handle.1 - y);
+        dx * dx + dy * dy <= HANDLE_RADIUS * HANDLE_RADIUS
+    }
+
+    /// The handle follows the mouse that holds it.
+    fn follow(&mut self, tick: &Tick) {
+        if tick.click().is_some_and(|place| self.is_on_handle(place)) {
+            self.held = true;
+        }
+        let Mouse { x, y, .. } = tick.mouse;
+        match (self.held, tick.mouse.holds(Button::Left)) {
+            (true, true) => self.tilt(x - STICK.0, STICK.1 - y),
+            (true, false) => self.let_go(),
+            (false, _) => {}
+        }
+    }
+
+    /// The handle follows the keys, unless the mouse holds it.
+    fn key(&mut self, key: Key) {
+        let (x, y) = self.handle;
+        match key {
+            _ if self.held => {}
+            Key::Left => self.tilt(x - TILT_STEP, y),
+            Key::Right => self.tilt(x + TILT_STEP, y),
+            Key::Up => self.tilt(x, y + TILT_STEP),
+            Key::Down => self.tilt(x, y - TILT_STEP),
+            Key::Home => self.tilt(0, 0),
+            _ => {}
+        }
+    }
+}
+
+async fn run(machine: &mut Machine) -> Result<(), Quit> {
+    machine.put_mouse(STICK.0, STICK.1);
+    let mut desk = Desk::new(machine, MANUAL);
+    let mut panel = Panel::new();
+    let mut joystick = Joystick { begun: desk.clock(), ..Joystick::default() };
+    loop {
+        let part = joystick.run_to(desk.clock());
+        desk.machine.publish(Model {
+            motion: joystick.motion.model(),
+            handle: joystick.handle,
+            held: joystick.held,
+        });
+        panel.show(joystick.motion.place(part), joystick.handle, joystick.motion.readings());
+        let tick = desk.frame(&panel).await?;
+        joystick.run_to(desk.clock());
+        joystick.follow(&tick);
+        match tick.key() {
+            Some(Key::Esc) if joystick.held => joystick.let_go(),
+            Some(Key::Esc | Key::Char('q' | 'Q')) => return Ok(()),
+            Some(Key::Char(' ')) => joystick = Joystick { begun: desk.clock(), ..Joystick::default() },
+            Some(key) => joystick.key(key),
+            None => {}
+        }
+    }
+}
+
+#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
+fn main() -> ExitCode {
+    PROGRAM.main()
+}

@@ -1,0 +1,124 @@
+//! What a program teaches on its help page: lines of text, and tables of the operations on colours,
+//! drawn by those very operations.
+
+use super::words::{self, Words};
+use crate::machine::Language;
+use crate::screen::{Color, Masks, Put, Screen, Stroke};
+
+/// A piece of the explanation under the keys of the help page.
+#[derive(Clone, Copy, Debug)]
+pub enum Lesson {
+    /// One line of text, at most 70 letters.
+    Line(Words),
+    /// The table of an operation (chapter 1.2): a row for every colour on the screen, a column for every
+    /// colour of the bitmap, in the cell the colour that comes of them. Tables stand side by side.
+    Operation(Put),
+    /// The table of the mouse driver's two masks (chapter 1.4): a row for every pair of mask bits, a
+    /// column for every colour on the screen.
+    Pointer,
+}
+
+/// Height of a line of text in pixels.
+const LINE: i32 = 12;
+/// Left edge of the page's text.
+const LEFT: i32 = 40;
+/// Distance of tables that stand side by side.
+const TABLE: i32 = 260;
+/// Side of a table's cell in pixels.
+const CELL: i32 = 8;
+/// Distance between the headings of a table and its cells.
+const GAP: i32 = 4;
+/// Cells of a row.
+const COLORS: i32 = 16;
+
+/// Draws an explanation from `top` down.
+pub(super) fn draw(screen: &mut Screen, top: i32, lesson: &[Lesson], language: Language) {
+    let (mut x, mut y) = (LEFT, top);
+    // Tables stand a little below the text.
+    let below = |y: i32| y + 2 * GAP;
+    for piece in lesson {
+        match piece {
+            Lesson::Line(text) => {
+                screen.text(LEFT, y, text.of(language), Color::LightCyan);
+                y += LINE;
+            }
+            Lesson::Operation(put) => {
+                operation(screen, (x, below(y)), *put, language);
+                x += TABLE;
+            }
+            Lesson::Pointer => pointer(screen, (x, below(y)), language),
+        }
+    }
+}
+
+/// One cell of a table with its upper left corner at a place.
+fn cell(screen: &mut Screen, x: i32, y: i32, color: Color) {
+    screen.bar(x, y, x + CELL - 1, y + CELL - 1, color);
+}
+
+/// The sixteen colours with the numbers of their rows or columns.
+fn colors() -> impl Iterator<Item = (i32, Color)> {
+    (0..).zip(Color::ALL)
+}
+
+fn operation(screen: &mut Screen, (x, y): (i32, i32), put: Put, language: Language) {
+    let name = match put {
+        Put::Copy => "COPY",
+        Put::Not => "NOT",
+        Put::Or => "OR",
+        Put::Xor => "XOR",
+        Put::And => "AND",
+    };
+    frames(screen, (x, y));
+    screen.text(x, y, name, Color::Yellow);
+    screen.text(x + 40, y, words::LESSON_AXES.of(language), Color::LightGray);
+    let (left, top) = (x + CELL + GAP, y + LINE + CELL + GAP);
+    for (row, below) in colors() {
+        cell(screen, x, top + CELL * row, below);
+        cell(screen, left + CELL * row, y + LINE, below);
+        for (column, above) in colors() {
+            cell(screen, left + CELL * column, top + CELL * row, put.apply(below, above));
+        }
+    }
+}
+
+/// Lines around the headings and the cells of an operation's table with its title at (x, y), so that black
+/// cells are seen.
+fn frames(screen: &mut Screen, (x, y): (i32, i32)) {
+    let gray = Stroke::thin(Color::DarkGray);
+    let (left, top) = (x + CELL + GAP, y + LINE + CELL + GAP);
+    let (right, bottom) = (left + COLORS * CELL, top + COLORS * CELL);
+    screen.rectangle(left - 1, top - 1, right, bottom, gray);
+    screen.rectangle(x - 1, top - 1, x + CELL, bottom, gray);
+    row_frame(screen, left, y + LINE);
+}
+
+/// Lines around a row of sixteen cells.
+fn row_frame(screen: &mut Screen, x: i32, y: i32) {
+    screen.rectangle(x - 1, y - 1, x + COLORS * CELL, y + CELL, Stroke::thin(Color::DarkGray));
+}
+
+fn pointer(screen: &mut Screen, (x, y): (i32, i32), language: Language) {
+    let left = x + 128;
+    screen.text(x, y, words::LESSON_MASKS.of(language), Color::Yellow);
+    let top = y + LINE + CELL + GAP;
+    row_frame(screen, left, y + LINE);
+    for (column, below) in colors() {
+        cell(screen, left + CELL * column, y + LINE, below);
+    }
+    let rows = [
+        (0, 0, words::LESSON_BLACK),
+        (0, 1, words::LESSON_WHITE),
+        (1, 0, words::LESSON_KEPT),
+        (1, 1, words::LESSON_INVERSE),
+    ];
+    for (row, (kept, inverted, meaning)) in (0..).zip(rows) {
+        let y = top + LINE * row;
+        screen.text(x, y, &format!("{kept}       {inverted}"), Color::White);
+        row_frame(screen, left, y);
+        for (column, below) in colors() {
+            cell(screen, left + CELL * column, y, Masks::apply(below, kept == 1, inverted == 1));
+        }
+        screen.text(left + CELL * COLORS + 16, y, meaning.of(language), Color::White);
+    }
+}
