@@ -266,7 +266,7 @@ fn wrong_json_names_the_line_and_the_field() {
         ("{\"format\": \"IP2\", \"points\": [[1, 2, 3]]}", "line 1, points[0][2]: trailing characters"),
         (
             "{\"format\": \"IP2\", \"points\": [],\n\"colour\": 3}",
-            "line 2, colour: unknown field `colour`, expected one of `points`, `tangents`, `settings`",
+            "line 2, colour: unknown field `colour`, expected one of `points`, `tangents`, `joints`, `settings`",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"settings\": {\"k1\": 3}}",
