@@ -11,7 +11,7 @@ const MANUAL: Manual = Manual {
     name: "gr_kz_o",
     about: Words(
         "Grafikus kurzor OR és XOR művelettel, mentett háttérrel",
-        "A graphic cursor by or and exclusive-or, with its background saved",
+        "A graphic cursor by or and exclusive-or, background saved",
     ),
     keys: &[
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),

@@ -18,6 +18,7 @@ pub(crate) const KEYS: &[KeyHelp] = &[
     (Words("P", "P"), Words("két játékos pontra, vissza", "two players with points, back")),
     (Words("N", "N"), Words("új felállítás", "a new rack")),
     (Words("Ctrl+S Ctrl+O", "Ctrl+S Ctrl+O"), Words("mentés, betöltés (.JSON)", "save, load (.JSON)")),
+    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), Words("a lökés visszavonása, mégis", "undo, redo the shot")),
     (Words("Q", "Q"), Words("vége", "end")),
 ];
 
