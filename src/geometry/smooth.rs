@@ -314,7 +314,7 @@ mod tests {
     #[test]
     fn noise_of_alternating_sign_is_damped_as_the_theory_says() {
         for n in [5, 10, 41, 99] {
-            let noise = |i: usize| if i % 2 == 0 { 1.0 } else { -1.0 };
+            let noise = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
             let measured: Vec<Point<2>> = (0..n).map(|i| [i as f64, noise(i)]).collect();
             let degree = (n - 1) as i32;
             for stage in ALL {

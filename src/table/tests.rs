@@ -50,8 +50,8 @@ fn check_steps(table: &mut Table, steps: u64) -> usize {
         assert!((table.energy() - energy).abs() <= 1e-12 * energy, "{} {energy}", table.energy());
         if walls == 0 {
             let size = (2.0 * energy).sqrt();
-            for axis in 0..2 {
-                assert!((table.momentum()[axis] - momentum[axis]).abs() <= 1e-12 * size);
+            for (now, before) in table.momentum().into_iter().zip(momentum) {
+                assert!((now - before).abs() <= 1e-12 * size);
             }
         }
         let overlap = overlap(table.balls());
@@ -192,9 +192,9 @@ fn creep(balls: &mut [Ball], field: &Field, seconds: f64, parts: u32) {
                 let n = [0, 1].map(|k| (balls[j].at[k] - balls[i].at[k]) / distance(&balls[i], &balls[j]));
                 let speed: f64 = (0..2).map(|k| (balls[i].velocity[k] - balls[j].velocity[k]) * n[k]).sum();
                 if distance(&balls[i], &balls[j]) < 16.0 && speed > 0.0 {
-                    for k in 0..2 {
-                        balls[i].velocity[k] -= speed * n[k];
-                        balls[j].velocity[k] += speed * n[k];
+                    for (k, along) in n.into_iter().enumerate() {
+                        balls[i].velocity[k] -= speed * along;
+                        balls[j].velocity[k] += speed * along;
                     }
                 }
             }
