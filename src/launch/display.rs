@@ -2,6 +2,8 @@
 
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
+#[cfg(feature = "window")]
+use crate::machine::window;
 use crate::machine::{Recorder, Script, Session, play};
 use std::fs::File;
 use std::io::Read;
@@ -55,10 +57,14 @@ fn live(
     options: &RunOptions,
 ) -> Result<(), Failure> {
     #[cfg(feature = "window")]
-    if wish == Some(DisplayKind::Window) || (wish.is_none() && crate::machine::window::window_possible()) {
+    if wish == Some(DisplayKind::Window) || (wish.is_none() && window::window_possible()) {
         let options =
             crate::machine::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
-        return crate::machine::window::run(session, &options).map_err(Failure::work);
+        match window::run(session, &options) {
+            // A desktop that cannot show a window is no reason to show nothing, unless a window was asked for.
+            Err(window::WindowError::Open(_)) if wish.is_none() && cfg!(feature = "terminal") => {}
+            shown => return shown.map_err(Failure::work),
+        }
     }
     #[cfg(feature = "terminal")]
     if wish != Some(DisplayKind::Window) {
