@@ -2,7 +2,7 @@
 //! convex hull, affine invariance, symmetry, and errors instead of nonsense.
 
 use grafika::geometry::{
-    COORDINATE_LIMIT, Closure, CubicBezier, Curve, Ends, GeometryError, Method, Point, Weights,
+    Bezier, COORDINATE_LIMIT, Closure, CubicBezier, Curve, Ends, GeometryError, Method, Point, Weights,
 };
 use proptest::prelude::*;
 
@@ -149,8 +149,7 @@ proptest! {
         closure in closure(), points in points(), exponent in -6..2,
     ) {
         let tolerance = 10_f64.powi(exponent);
-        let curve = Curve::through(Method::Bezier, closure, &points).unwrap();
-        let Curve::Bezier(bezier) = &curve else { unreachable!() };
+        let bezier = Bezier::new(closure, &points).unwrap();
         let cubics = bezier.to_cubics(tolerance).unwrap();
         // Each arc covers a dyadic piece of the parameter; find it again by halving.
         let mut pieces = vec![bezier.clone()];
