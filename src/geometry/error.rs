@@ -96,6 +96,27 @@ pub enum GeometryError {
     },
     /// All points of a closed path are the same, so that it has no length to run through.
     NoLength,
+    /// The rows of a control net are not equally long.
+    Ragged {
+        /// The row, from 0.
+        row: usize,
+        /// How many points it has.
+        given: usize,
+        /// How many row 0 has.
+        needed: usize,
+    },
+    /// The method has no surfaces of this topology.
+    TopologyNotOffered {
+        /// The method's name.
+        method: &'static str,
+        /// The topology's name.
+        topology: &'static str,
+    },
+    /// A sphere's meridians have to come in opposite pairs for this method.
+    OddMeridians {
+        /// How many there are.
+        given: usize,
+    },
     /// More samples than [`MAX_SAMPLES`](super::MAX_SAMPLES), or none.
     Samples {
         /// Steps asked for per span.
@@ -151,6 +172,19 @@ impl fmt::Display for GeometryError {
                 write!(f, "too many harmonics: {given} given, at most {most} allowed")
             }
             Self::NoLength => f.write_str("all points are the same; a closed path needs two different ones"),
+            Self::Ragged { row, given, needed } => {
+                write!(
+                    f,
+                    "row {row} of the net has {given} points and row 0 has {needed}; all must have the same"
+                )
+            }
+            Self::TopologyNotOffered { method, topology } => {
+                write!(f, "method {method} has no surface with the topology of a {topology}")
+            }
+            Self::OddMeridians { given } => write!(
+                f,
+                "{given} meridians, but this method joins each with the opposite one: their number must be even"
+            ),
             Self::Samples { per_span, most } => {
                 write!(f, "{per_span} steps per span asked for, but 1 to {most} can be given")
             }

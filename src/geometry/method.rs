@@ -19,7 +19,8 @@ pub enum Ends {
     Open,
     /// Cyclic: the first control point follows the last (2.37, 2.55, 2.66).
     Closed,
-    /// End points taken twice, as the surfaces of chapter 3 do (3.36, 3.61). Not for the spline.
+    /// End points taken twice, as the surfaces of chapter 3 do (3.36, 3.61). Not for the spline. The end
+    /// spans of the quadratic B-spline are half as long as the others (3.32, 3.35).
     Doubled,
     /// The first and the last point given are auxiliary ones: they shape the end spans, and
     /// no span is added for them. For pole points and ghost rows of surfaces. Not for the spline.

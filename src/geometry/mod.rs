@@ -50,6 +50,7 @@ mod method;
 mod point;
 mod smooth;
 mod spline;
+mod surface;
 mod tridiagonal;
 mod view;
 mod weights;
@@ -68,5 +69,6 @@ pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
+pub use surface::{Border, Derivatives, Grid, Patch, Scheme, Surface, SurfaceSample, Topology};
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

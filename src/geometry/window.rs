@@ -72,8 +72,10 @@ pub(super) fn windows(method: Method, ends: Ends, n: usize) -> Option<Vec<Window
     let mut windows: Vec<Window> = (0..spans)
         .map(|span| Window::new(offset.saturating_add_unsigned(span), n, ends, &rows, denominator))
         .collect();
-    if ends == Ends::Open {
-        open_ends(method, &mut windows);
+    match (method, ends) {
+        (_, Ends::Open) => open_ends(method, &mut windows),
+        (Method::BSpline2, Ends::Doubled) => straight_ends(&mut windows),
+        _ => {}
     }
     Some(windows)
 }
@@ -150,6 +152,21 @@ fn open_ends(method: Method, windows: &mut [Window]) {
         }
         Method::Coons { .. } | Method::Local { .. } | Method::BSpline3 => {}
         Method::Bezier | Method::Spline => {}
+    }
+}
+
+/// The end spans of a quadratic B-spline with doubled ends are straight; in steps that keep the speed of the
+/// spans beside them (3.32, 3.35) they are half a span long and run evenly. The middles are folded into
+/// places 0 and 2 of the first window, whose points are 0, 0, 1, and into 0 and 1 of the last.
+fn straight_ends(windows: &mut [Window]) {
+    let (half, third, sixth) = (0.5, 2.0 / 3.0, 1.0 / 3.0);
+    if let Some(first) = windows.first_mut() {
+        // Points 0, 0, 1: the folded weights are in places 0 and 2.
+        first.rows = [1.0, 1.0 - half * sixth, 1.0 - half * third, half].map(|w| [w, 0.0, 1.0 - w, 0.0]);
+    }
+    if let Some(last) = windows.last_mut() {
+        // Points n-2, n-1, n-1: in places 0 and 1.
+        last.rows = [half, half * third, half * sixth, 0.0].map(|w| [w, 1.0 - w, 0.0, 0.0]);
     }
 }
 
