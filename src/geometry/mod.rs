@@ -46,12 +46,14 @@ mod cyclic;
 mod error;
 mod fourier;
 mod hermite;
+mod hidden;
 mod method;
 mod point;
 mod smooth;
 mod spline;
 mod tridiagonal;
 mod view;
+mod walk;
 mod weights;
 mod window;
 
@@ -63,6 +65,7 @@ pub use curve::{Curve, MAX_SAMPLES, Sample};
 pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
+pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
 pub use method::{Closure, Ends, Method};
 pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
 pub use smooth::{
