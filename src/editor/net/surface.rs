@@ -109,7 +109,7 @@ fn vertex(look: Look, point: Point<3>) -> Vertex {
 /// Whether a cell of heights shows its lower side: its corners then turn the other way.
 fn below(corners: &[Vertex; 4]) -> bool {
     let [a, b, c, d] = corners.map(|corner| (f64::from(corner.x), f64::from(corner.y)));
-    (c.0 - a.0) * (d.1 - b.1) - (c.1 - a.1) * (d.0 - b.0) > 0.0
+    (c.0 - a.0) * (d.1 - b.1) - (c.1 - a.1) * (d.0 - b.0) < 0.0
 }
 
 /// Puts what a depth buffer shows onto the screen.
