@@ -28,6 +28,10 @@ const DEEP: f32 = 1e20;
 /// Rows of a triangle wider than this are narrowed by divisions before they are scanned.
 const WIDE: i64 = 16;
 
+/// Cells at most this many columns and rows larger than a pixel are first looked at whether all of them
+/// is hidden.
+const SMALL: i32 = 6;
+
 /// A corner in the picture: the pixel it falls on, and its depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vertex {
@@ -156,21 +160,15 @@ impl DepthBuffer {
     pub fn cell(&mut self, corners: &[Vertex; 4], fill: u8, edge: Option<u8>) {
         let [Some(a), Some(b), Some(c), Some(d)] = corners.map(Vertex::limited) else { return };
         let corners = [a, b, c, d];
-        let Some(owner) = self.owner_of(&corners) else { return };
-        let ink = Ink::fill(fill, owner);
-        // Within two by two pixels the outline is all, and it is the corners.
-        match edge {
-            Some(edge) if is_tiny(&corners) => {
-                let ink = Ink::outline(edge, owner);
-                corners.iter().for_each(|corner| self.point(*corner, ink));
-                return;
-            }
-            _ => {}
+        let extent = Extent::of(&corners);
+        if self.covers(&extent, &corners) {
+            return;
         }
-        let folded = |one: i64, other: i64| (one < 0) != (other < 0) && one != 0 && other != 0;
-        let other_diagonal = folded(turn(a, b, c), turn(a, c, d)) && !folded(turn(b, c, d), turn(b, d, a));
-        let halves = if other_diagonal { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] };
-        halves.into_iter().for_each(|half| self.triangle(half, ink));
+        let owner = self.next_owner();
+        if edge.is_none() || !extent.is_thin() {
+            let ink = Ink::fill(fill, owner);
+            halves(corners).into_iter().for_each(|half| self.triangle(half, ink));
+        }
         if let Some(edge) = edge {
             let ink = Ink::outline(edge, owner);
             [(a, b), (b, c), (c, d), (d, a)].into_iter().for_each(|(a, b)| self.side(a, b, ink));
@@ -185,7 +183,11 @@ impl DepthBuffer {
             return;
         }
         let limited = || corners.iter().filter_map(|corner| corner.limited());
-        let (Some(first), Some(owner)) = (limited().next(), self.owner_of(corners)) else { return };
+        let Some(first) = limited().next() else { return };
+        if self.is_outside(&Extent::of(corners)) {
+            return;
+        }
+        let owner = self.next_owner();
         let ink = Ink::fill(fill, owner);
         for (b, c) in limited().skip(1).zip(limited().skip(2)) {
             self.triangle([first, b, c], ink);
@@ -202,7 +204,8 @@ impl DepthBuffer {
     /// end is given first. Nothing is drawn if a depth is no finite number.
     pub fn line(&mut self, from: Vertex, to: Vertex, color: u8) {
         let (Some(from), Some(to)) = (from.limited(), to.limited()) else { return };
-        if let Some(owner) = self.owner_of(&[from, to]) {
+        if !self.is_outside(&Extent::of(&[from, to])) {
+            let owner = self.next_owner();
             self.side(from, to, Ink::outline(color, owner));
         }
     }
@@ -222,22 +225,43 @@ impl DepthBuffer {
         self.pixels.chunks_exact(self.width().max(1)).enumerate()
     }
 
-    /// A new number for a cell; `None` if all of it is outside of the picture.
+    fn is_outside(&self, extent: &Extent) -> bool {
+        let Extent { left, top, right, bottom } = *extent;
+        right < 0 || bottom < 0 || i64::from(left) >= self.width || i64::from(top) >= self.height
+    }
+
+    /// Whether nothing of a cell can be seen: it is outside, or it is small and all there is nearer.
     #[inline]
-    fn owner_of(&mut self, corners: &[Vertex]) -> Option<u64> {
-        let outside = |coordinate: fn(&Vertex) -> i32, size: i64| {
-            corners.iter().all(|corner| coordinate(corner) < 0)
-                || corners.iter().all(|corner| i64::from(coordinate(corner)) >= size)
-        };
-        if outside(|corner| corner.x, self.width) || outside(|corner| corner.y, self.height) {
-            return None;
+    fn covers(&self, extent: &Extent, corners: &[Vertex; 4]) -> bool {
+        if self.is_outside(extent) {
+            return true;
         }
+        let Extent { left, top, right, bottom } = *extent;
+        let whole = left >= 0 && top >= 0 && i64::from(right) < self.width && i64::from(bottom) < self.height;
+        if !whole || right - left > SMALL || bottom - top > SMALL {
+            return false;
+        }
+        let nearest = corners.iter().fold(corners[0].depth, |nearest, corner| nearest.max(corner.depth));
+        // Above all pixels of this depth.
+        let limit = Pixel(Ink(0).at(nearest).0 | ((1 << DEPTH) - 1));
+        let (mut at, count) =
+            ((i64::from(top) * self.width + i64::from(left)) as usize, (right - left + 1) as usize);
+        (top..=bottom).all(|_| {
+            let row = self.pixels.get(at..at + count).unwrap_or_default();
+            at += self.width as usize;
+            row.iter().all(|pixel| *pixel > limit)
+        })
+    }
+
+    /// A new number for a cell.
+    #[inline]
+    fn next_owner(&mut self) -> u64 {
         if self.owner == OWNER {
             self.pixels.iter_mut().for_each(|pixel| pixel.0 &= !OWNER);
             self.owner = 0;
         }
         self.owner += 1;
-        Some(self.owner)
+        self.owner
     }
 
     /// Fills a triangle, its boundary pixels included; nothing if it is seen as a line.
@@ -360,10 +384,37 @@ fn turn(a: Vertex, b: Vertex, c: Vertex) -> i64 {
     i64::from(b.x - a.x) * i64::from(c.y - a.y) - i64::from(b.y - a.y) * i64::from(c.x - a.x)
 }
 
-/// Whether corners lie within two by two pixels.
+/// The two triangles of a cell.
 #[inline]
-fn is_tiny(corners: &[Vertex; 4]) -> bool {
-    let [xs, ys] = [corners.map(|corner| corner.x), corners.map(|corner| corner.y)];
-    let extent = |[a, b, c, d]: [i32; 4]| a.max(b).max(c).max(d) - a.min(b).min(c).min(d);
-    extent(xs) <= 1 && extent(ys) <= 1
+fn halves([a, b, c, d]: [Vertex; 4]) -> [[Vertex; 3]; 2] {
+    let folded = |one: i64, other: i64| (one < 0 && other > 0) || (one > 0 && other < 0);
+    let other_diagonal = folded(turn(a, b, c), turn(a, c, d)) && !folded(turn(b, c, d), turn(b, d, a));
+    if other_diagonal { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] }
+}
+
+/// The columns and rows that corners lie within, the last ones included.
+struct Extent {
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+}
+
+impl Extent {
+    #[inline]
+    fn of(corners: &[Vertex]) -> Extent {
+        let nothing = Extent { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
+        corners.iter().fold(nothing, |extent, corner| Extent {
+            left: extent.left.min(corner.x),
+            top: extent.top.min(corner.y),
+            right: extent.right.max(corner.x),
+            bottom: extent.bottom.max(corner.y),
+        })
+    }
+
+    /// Whether a cell has no pixels besides its outline: it is at most two columns or rows.
+    #[inline]
+    fn is_thin(&self) -> bool {
+        self.right - self.left <= 1 || self.bottom - self.top <= 1
+    }
 }

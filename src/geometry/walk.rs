@@ -44,10 +44,17 @@ impl Axis {
 /// A line's pixels inside of a picture that is stored row after row. The ends' coordinates are to be
 /// within ±2²⁸, so that products of two lengths fit.
 pub(super) struct Walk {
-    major: Axis,
-    minor: Axis,
+    /// The line's lengths in its two directions.
+    major: i64,
+    minor: i64,
     /// The steps from the first end whose pixels lie inside.
     steps: Range<i64>,
+    /// The place in memory of the first of them, and what a step in either direction adds.
+    at: i64,
+    ahead: i64,
+    aside: i64,
+    /// What the next steps go on from: the minor coordinate's remainder, in `0..2 * major`.
+    rest: i64,
 }
 
 impl Walk {
@@ -58,43 +65,54 @@ impl Walk {
         let down = Axis::new(from[1], to[1], height, width);
         let (major, minor) = if across.length >= down.length { (across, down) } else { (down, across) };
         let inside = across.inside() && down.inside();
-        let steps = if inside { 0..major.length + 1 } else { visible(&major, &minor) };
-        Walk { major, minor, steps }
+        let whole = Walk {
+            major: major.length,
+            minor: minor.length,
+            steps: 0..major.length + 1,
+            at: across.start + down.start * width,
+            ahead: major.sign * major.pitch,
+            aside: minor.sign * minor.pitch,
+            rest: major.length,
+        };
+        if inside { whole } else { whole.clipped(&major, &minor) }
+    }
+
+    /// The walk without the steps whose pixels lie outside of the picture.
+    #[cold]
+    fn clipped(mut self, major: &Axis, minor: &Axis) -> Walk {
+        self.steps = visible(major, minor);
+        if self.steps.start > 0 {
+            let value = 2 * self.minor * self.steps.start + self.major;
+            // A line that begins with a later step is longer than a point.
+            let whole = (2 * self.major).max(1);
+            self.at += self.ahead * self.steps.start + self.aside * (value / whole);
+            self.rest = value % whole;
+        }
+        self
     }
 
     /// The number of steps from the first end to the last, clipped ones included.
     #[inline]
     pub(super) fn length(&self) -> i64 {
-        self.major.length
+        self.major
     }
 
     /// Calls `plot` for every pixel inside with its step and its place in memory.
     #[inline]
-    pub(super) fn visit(&self, mut plot: impl FnMut(i64, usize)) {
-        let Walk { major, minor, ref steps } = *self;
-        let (mut shift, mut rest) = (0, major.length);
-        if steps.start > 0 {
-            let value = 2 * minor.length * steps.start + major.length;
-            // A line that begins with a later step is longer than a point.
-            (shift, rest) = (value / (2 * major.length).max(1), value % (2 * major.length).max(1));
-        }
-        let mut at = (major.start + major.sign * steps.start) * major.pitch
-            + (minor.start + minor.sign * shift) * minor.pitch;
-        for step in steps.clone() {
+    pub(super) fn visit(self, mut plot: impl FnMut(i64, usize)) {
+        let (mut at, mut rest) = (self.at, self.rest);
+        for step in self.steps {
             // Inside of the picture, so not negative.
             plot(step, at as usize);
-            at += major.sign * major.pitch;
-            rest += 2 * minor.length;
-            if rest >= 2 * major.length {
-                rest -= 2 * major.length;
-                at += minor.sign * minor.pitch;
-            }
+            rest += 2 * self.minor;
+            let aside = rest >= 2 * self.major;
+            rest -= if aside { 2 * self.major } else { 0 };
+            at += self.ahead + if aside { self.aside } else { 0 };
         }
     }
 }
 
 /// The steps whose pixels lie inside of the picture.
-#[cold]
 fn visible(major: &Axis, minor: &Axis) -> Range<i64> {
     let (majors, minors) = (major.moves(), minor.moves());
     let (mut first, mut last) = (majors.start.max(0), majors.end.min(major.length + 1));
