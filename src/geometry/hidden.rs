@@ -160,17 +160,19 @@ impl DepthBuffer {
     pub fn cell(&mut self, corners: &[Vertex; 4], fill: u8, edge: Option<u8>) {
         let [Some(a), Some(b), Some(c), Some(d)] = corners.map(Vertex::limited) else { return };
         let corners = [a, b, c, d];
-        let extent = Extent::of(&corners);
+        let extent = Extent::of(corners);
         if self.covers(&extent, &corners) {
             return;
         }
         let owner = self.next_owner();
-        if edge.is_none() || !extent.is_thin() {
+        let window = self.window(&extent, edge);
+        if !window.is_empty() {
             let ink = Ink::fill(fill, owner);
-            halves(corners).into_iter().for_each(|half| self.triangle(half, ink));
+            halves(corners).into_iter().for_each(|half| self.triangle(half, &window, ink));
         }
         if let Some(edge) = edge {
             let ink = Ink::outline(edge, owner);
+            corners.iter().for_each(|corner| self.point(*corner, ink));
             [(a, b), (b, c), (c, d), (d, a)].into_iter().for_each(|(a, b)| self.side(a, b, ink));
         }
     }
@@ -184,16 +186,18 @@ impl DepthBuffer {
         }
         let limited = || corners.iter().filter_map(|corner| corner.limited());
         let Some(first) = limited().next() else { return };
-        if self.is_outside(&Extent::of(corners)) {
+        let extent = Extent::of(limited());
+        if self.is_outside(&extent) {
             return;
         }
         let owner = self.next_owner();
-        let ink = Ink::fill(fill, owner);
+        let (window, ink) = (self.window(&extent, edge), Ink::fill(fill, owner));
         for (b, c) in limited().skip(1).zip(limited().skip(2)) {
-            self.triangle([first, b, c], ink);
+            self.triangle([first, b, c], &window, ink);
         }
         if let Some(edge) = edge {
             let ink = Ink::outline(edge, owner);
+            limited().for_each(|corner| self.point(corner, ink));
             let followers = limited().skip(1).chain([first]);
             limited().zip(followers).for_each(|(a, b)| self.side(a, b, ink));
         }
@@ -204,9 +208,11 @@ impl DepthBuffer {
     /// end is given first. Nothing is drawn if a depth is no finite number.
     pub fn line(&mut self, from: Vertex, to: Vertex, color: u8) {
         let (Some(from), Some(to)) = (from.limited(), to.limited()) else { return };
-        if !self.is_outside(&Extent::of(&[from, to])) {
+        if !self.is_outside(&Extent::of([from, to])) {
             let owner = self.next_owner();
-            self.side(from, to, Ink::outline(color, owner));
+            let ink = Ink::outline(color, owner);
+            [from, to].into_iter().for_each(|end| self.point(end, ink));
+            self.side(from, to, ink);
         }
     }
 
@@ -253,6 +259,19 @@ impl DepthBuffer {
         })
     }
 
+    /// The pixels that a cell's fill may show at: without the outermost of a cell with an outline, which
+    /// belong to that.
+    #[inline]
+    fn window(&self, extent: &Extent, edge: Option<u8>) -> Extent {
+        let margin = i32::from(edge.is_some());
+        Extent {
+            left: (extent.left + margin).max(0),
+            top: (extent.top + margin).max(0),
+            right: (extent.right - margin).min(self.width as i32 - 1),
+            bottom: (extent.bottom - margin).min(self.height as i32 - 1),
+        }
+    }
+
     /// A new number for a cell.
     #[inline]
     fn next_owner(&mut self) -> u64 {
@@ -264,18 +283,17 @@ impl DepthBuffer {
         self.owner
     }
 
-    /// Fills a triangle, its boundary pixels included; nothing if it is seen as a line.
+    /// Fills a triangle, its boundary pixels included, within a window of the picture; nothing if it is
+    /// seen as a line.
     #[inline]
-    fn triangle(&mut self, [a, b, c]: [Vertex; 3], ink: Ink) {
+    fn triangle(&mut self, [a, b, c]: [Vertex; 3], window: &Extent, ink: Ink) {
         let area = turn(a, b, c);
         let (b, c) = if area < 0 { (c, b) } else { (b, c) };
-        let left = i64::from(a.x.min(b.x).min(c.x)).max(0);
-        let right = i64::from(a.x.max(b.x).max(c.x)).min(self.width - 1);
-        let top = i64::from(a.y.min(b.y).min(c.y)).max(0);
-        let bottom = i64::from(a.y.max(b.y).max(c.y)).min(self.height - 1);
-        if area == 0 || left > right || top > bottom {
+        let own = Extent::of([a, b, c]).common(window);
+        if area == 0 || own.is_empty() {
             return;
         }
+        let [left, top, right, bottom] = [own.left, own.top, own.right, own.bottom].map(i64::from);
         // The weights of the corners, times the area: whole numbers, none negative inside.
         let sides = [Side::new(b, c), Side::new(c, a), Side::new(a, b)];
         let mut starts = sides.each_ref().map(|side| side.weight(left, top));
@@ -301,15 +319,13 @@ impl DepthBuffer {
         }
     }
 
-    /// Draws a side of an outline, or a line: stepped from the left end or, where it is upright, from the
+    /// Draws a side of an outline, or a line, between its ends: stepped from the left end or, where it is upright, from the
     /// upper one, so that both neighbours of a side have the same pixels and depths of it.
     #[inline]
     fn side(&mut self, a: Vertex, b: Vertex, ink: Ink) {
         let (from, to) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
         let walk = Walk::new([from.x, from.y], [to.x, to.y], [self.width, self.height]);
         if walk.length() <= 1 {
-            self.point(from, ink);
-            self.point(to, ink);
             return;
         }
         let slope = (to.depth - from.depth) / walk.length() as f32;
@@ -392,7 +408,7 @@ fn halves([a, b, c, d]: [Vertex; 4]) -> [[Vertex; 3]; 2] {
     if other_diagonal { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] }
 }
 
-/// The columns and rows that corners lie within, the last ones included.
+/// Columns and rows of the picture, the last ones included.
 struct Extent {
     left: i32,
     top: i32,
@@ -402,9 +418,9 @@ struct Extent {
 
 impl Extent {
     #[inline]
-    fn of(corners: &[Vertex]) -> Extent {
+    fn of(corners: impl IntoIterator<Item = Vertex>) -> Extent {
         let nothing = Extent { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
-        corners.iter().fold(nothing, |extent, corner| Extent {
+        corners.into_iter().fold(nothing, |extent, corner| Extent {
             left: extent.left.min(corner.x),
             top: extent.top.min(corner.y),
             right: extent.right.max(corner.x),
@@ -412,9 +428,46 @@ impl Extent {
         })
     }
 
-    /// Whether a cell has no pixels besides its outline: it is at most two columns or rows.
     #[inline]
-    fn is_thin(&self) -> bool {
-        self.right - self.left <= 1 || self.bottom - self.top <= 1
+    fn common(&self, other: &Extent) -> Extent {
+        Extent {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
+    }
+
+    #[inline]
+    fn is_empty(&self) -> bool {
+        self.left > self.right || self.top > self.bottom
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The numbers of cells begin anew without a cell being taken for another one.
+    #[test]
+    fn cells_are_told_apart_after_the_last_number() {
+        let square = |depth: f32| [(0, 0), (4, 0), (4, 4), (0, 4)].map(|(x, y)| Vertex { x, y, depth });
+        let mut buffer = DepthBuffer::new(5, 5);
+        buffer.cell(&square(2.0), 1, Some(2));
+        buffer.owner = OWNER;
+        buffer.cell(&square(1.0), 3, Some(4));
+        assert_eq!(buffer.owner, 1);
+        assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(2), Some(1)]);
+        buffer.cell(&square(3.0), 5, Some(6));
+        assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(6), Some(5)]);
+    }
+
+    #[test]
+    fn nearer_pixels_are_larger() {
+        let depths = [-DEEP, -2.5, -2.0, -1e-40, 0.0, 1e-40, 1.0, 1.5, DEEP];
+        let pixels = depths.map(|depth| Ink::fill(7, 1).at(depth));
+        assert!(pixels.is_sorted() && pixels.iter().all(|pixel| pixel.color() == Some(7)));
+        assert_eq!(Ink::fill(7, 1).at(-0.0), Ink::fill(7, 1).at(0.0));
+        assert!(Ink::fill(9, 5).at(1.0) < Ink::outline(0, 1).at(1.0));
     }
 }

@@ -41,15 +41,15 @@ impl Axis {
     }
 }
 
-/// A line's pixels inside of a picture that is stored row after row. The ends' coordinates are to be
-/// within ±2²⁸, so that products of two lengths fit.
+/// The pixels between a line's ends, inside of a picture that is stored row after row. The ends'
+/// coordinates are to be within ±2²⁸, so that products of two lengths fit.
 pub(super) struct Walk {
     /// The line's lengths in its two directions.
     major: i64,
     minor: i64,
-    /// The steps from the first end whose pixels lie inside.
+    /// The steps from the first end whose pixels lie inside, both ends left out.
     steps: Range<i64>,
-    /// The place in memory of the first of them, and what a step in either direction adds.
+    /// The place in memory one step before them, and what a step in either direction adds.
     at: i64,
     ahead: i64,
     aside: i64,
@@ -68,7 +68,7 @@ impl Walk {
         let whole = Walk {
             major: major.length,
             minor: minor.length,
-            steps: 0..major.length + 1,
+            steps: 1..major.length,
             at: across.start + down.start * width,
             ahead: major.sign * major.pitch,
             aside: minor.sign * minor.pitch,
@@ -81,11 +81,11 @@ impl Walk {
     #[cold]
     fn clipped(mut self, major: &Axis, minor: &Axis) -> Walk {
         self.steps = visible(major, minor);
-        if self.steps.start > 0 {
-            let value = 2 * self.minor * self.steps.start + self.major;
-            // A line that begins with a later step is longer than a point.
-            let whole = (2 * self.major).max(1);
-            self.at += self.ahead * self.steps.start + self.aside * (value / whole);
+        let before = self.steps.start - 1;
+        if before > 0 {
+            // There are steps, so the line is longer than a point.
+            let (value, whole) = (2 * self.minor * before + self.major, (2 * self.major).max(1));
+            self.at += self.ahead * before + self.aside * (value / whole);
             self.rest = value % whole;
         }
         self
@@ -97,25 +97,25 @@ impl Walk {
         self.major
     }
 
-    /// Calls `plot` for every pixel inside with its step and its place in memory.
+    /// Calls `plot` for every one of the pixels with its step and its place in memory.
     #[inline]
     pub(super) fn visit(self, mut plot: impl FnMut(i64, usize)) {
         let (mut at, mut rest) = (self.at, self.rest);
         for step in self.steps {
-            // Inside of the picture, so not negative.
-            plot(step, at as usize);
             rest += 2 * self.minor;
             let aside = rest >= 2 * self.major;
             rest -= if aside { 2 * self.major } else { 0 };
             at += self.ahead + if aside { self.aside } else { 0 };
+            // Inside of the picture, so not negative.
+            plot(step, at as usize);
         }
     }
 }
 
-/// The steps whose pixels lie inside of the picture.
+/// The steps between both ends whose pixels lie inside of the picture.
 fn visible(major: &Axis, minor: &Axis) -> Range<i64> {
     let (majors, minors) = (major.moves(), minor.moves());
-    let (mut first, mut last) = (majors.start.max(0), majors.end.min(major.length + 1));
+    let (mut first, mut last) = (majors.start.max(1), majors.end.min(major.length));
     if minor.length > 0 {
         first = first.max(step_of_shift(major, minor, minors.start));
         last = last.min(step_of_shift(major, minor, minors.end));
