@@ -9,9 +9,8 @@
 //! with the same pixels from both, so that neither covers the other's outline and no depth needs a bias.
 //!
 //! Where depths are exactly equal, outlines go before fills, then the larger colour before the smaller.
-//! So the order of drawing does not matter at all where all cells have the same two colours, and
-//! otherwise only where different colours meet at exactly one depth. Colours are numbers; what they
-//! look like, and the projection, are the caller's.
+//! So every pixel is the greatest of what the cells are there, and the order of drawing does not matter
+//! at all. Colours are numbers; what they look like, and the projection, are the caller's.
 
 use super::walk::Walk;
 use std::array::from_fn;
@@ -68,6 +67,17 @@ impl Pixel {
     #[must_use]
     pub fn color(self) -> Option<u8> {
         (self.0 != 0).then_some((self.0 >> COLOR) as u8)
+    }
+
+    #[inline]
+    fn is_as_near_as(self, other: Pixel) -> bool {
+        self.0 >> DEPTH == other.0 >> DEPTH
+    }
+
+    /// The pixel with the cell's number of another one.
+    #[inline]
+    fn owned_as(self, other: Pixel) -> Pixel {
+        Pixel(self.0 & !OWNER | other.0 & OWNER)
     }
 }
 
@@ -311,7 +321,10 @@ impl DepthBuffer {
             for pixel in self.pixels.get_mut(range).unwrap_or_default() {
                 if (weights[0] | weights[1] | weights[2]) >= 0 {
                     let depth = a.depth + (weights[1] as f32 * to_b + weights[2] as f32 * to_c);
-                    *pixel = ink.at(depth.max(low).min(high)).max(*pixel);
+                    let (new, old) = (ink.at(depth.max(low).min(high)), *pixel);
+                    let shown = new.max(old);
+                    // Where it is as near as what is there, the own outline may go before that.
+                    *pixel = if new.is_as_near_as(old) { shown.owned_as(new) } else { shown };
                 }
                 weights = from_fn(|k| weights[k] + sides[k].across);
             }
@@ -348,8 +361,8 @@ impl DepthBuffer {
     #[inline]
     fn outline(&mut self, at: usize, depth: f32, ink: Ink) {
         if let Some(pixel) = self.pixels.get_mut(at) {
-            let own = (pixel.0 ^ ink.0) & OWNER == 0;
-            let old = if own { Pixel(pixel.0 >> DEPTH << DEPTH | ink.0) } else { *pixel };
+            let raised = Pixel(pixel.0 >> DEPTH << DEPTH | ink.0).max(*pixel);
+            let old = if (pixel.0 ^ ink.0) & OWNER == 0 { raised } else { *pixel };
             *pixel = ink.at(depth).max(old);
         }
     }
