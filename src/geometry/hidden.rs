@@ -12,7 +12,11 @@
 //! So every pixel is the greatest of what the cells are there, and the order of drawing does not matter
 //! at all. Colours are numbers; what they look like, and the projection, are the caller's.
 
+mod pixel;
+
 use super::walk::Walk;
+pub use pixel::Pixel;
+use pixel::{Ink, OWNER};
 use std::array::from_fn;
 
 /// The largest width and height of a depth buffer in pixels.
@@ -29,7 +33,7 @@ const WIDE: i64 = 16;
 
 /// Cells at most this many columns and rows larger than a pixel are first looked at whether all of them
 /// is hidden.
-const SMALL: i32 = 6;
+const SMALL: i64 = 6;
 
 /// A corner in the picture: the pixel it falls on, and its depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,63 +56,6 @@ impl Vertex {
             y: self.y.clamp(-FAR_AWAY, FAR_AWAY),
             depth: self.depth.clamp(-DEEP, DEEP),
         })
-    }
-}
-
-/// One pixel of a depth buffer: its depth, whether an outline made it, its colour, and the number of the
-/// cell, from the highest bits to the lowest, so that of two the larger is the one to be seen. Zero where
-/// nothing is drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Pixel(u64);
-
-impl Pixel {
-    /// The colour drawn here, if anything is.
-    #[inline]
-    #[must_use]
-    pub fn color(self) -> Option<u8> {
-        (self.0 != 0).then_some((self.0 >> COLOR) as u8)
-    }
-
-    #[inline]
-    fn is_as_near_as(self, other: Pixel) -> bool {
-        self.0 >> DEPTH == other.0 >> DEPTH
-    }
-
-    /// The pixel with the cell's number of another one.
-    #[inline]
-    fn owned_as(self, other: Pixel) -> Pixel {
-        Pixel(self.0 & !OWNER | other.0 & OWNER)
-    }
-}
-
-/// The lowest bit of a pixel's colour; below are the bits of the cell's number.
-const COLOR: u32 = 23;
-const OWNER: u64 = (1 << COLOR) - 1;
-/// The bit of an outline.
-const OUTLINE: u64 = 1 << 31;
-/// The lowest bit of a pixel's depth.
-const DEPTH: u32 = 32;
-
-/// What a pixel holds besides its depth.
-#[derive(Clone, Copy)]
-struct Ink(u64);
-
-impl Ink {
-    fn fill(color: u8, owner: u64) -> Ink {
-        Ink(u64::from(color) << COLOR | owner)
-    }
-
-    fn outline(color: u8, owner: u64) -> Ink {
-        Ink(OUTLINE | u64::from(color) << COLOR | owner)
-    }
-
-    #[inline]
-    fn at(self, depth: f32) -> Pixel {
-        // Zero has one sign only. The bits of positive numbers are in order; those of negative ones are
-        // in reverse.
-        let bits = (depth + 0.0).to_bits();
-        let order = bits ^ (((bits as i32 >> 31) as u32) | 1 << 31);
-        Pixel(u64::from(order) << DEPTH | self.0)
     }
 }
 
@@ -166,24 +113,18 @@ impl DepthBuffer {
     /// Draws a cell of a surface: four corners in their order around it, filled, and outlined if an edge
     /// colour is given. It is two triangles, parted by the diagonal from the first corner to the third
     /// unless only the other one lies inside of it as it is seen. Of a cell that is seen as a line or a
-    /// point only the outline is drawn; nothing of a cell with a depth that is no finite number.
+    /// point only the outline is drawn; nothing of a cell with a depth that is no finite number. Where two
+    /// sides of a twisted cell are seen to cross, its triangles reach beyond the outline.
     pub fn cell(&mut self, corners: &[Vertex; 4], fill: u8, edge: Option<u8>) {
         let [Some(a), Some(b), Some(c), Some(d)] = corners.map(Vertex::limited) else { return };
         let corners = [a, b, c, d];
-        let extent = Extent::of(corners);
-        if self.covers(&extent, &corners) {
-            return;
-        }
-        let owner = self.next_owner();
-        let window = self.window(&extent, edge);
+        let Some((window, owner)) = self.begin(corners.into_iter(), edge) else { return };
         if !window.is_empty() {
             let ink = Ink::fill(fill, owner);
             halves(corners).into_iter().for_each(|half| self.triangle(half, &window, ink));
         }
         if let Some(edge) = edge {
-            let ink = Ink::outline(edge, owner);
-            corners.iter().for_each(|corner| self.point(*corner, ink));
-            [(a, b), (b, c), (c, d), (d, a)].into_iter().for_each(|(a, b)| self.side(a, b, ink));
+            self.around(corners.into_iter(), Ink::outline(edge, owner));
         }
     }
 
@@ -196,20 +137,12 @@ impl DepthBuffer {
         }
         let limited = || corners.iter().filter_map(|corner| corner.limited());
         let Some(first) = limited().next() else { return };
-        let extent = Extent::of(limited());
-        if self.is_outside(&extent) {
-            return;
-        }
-        let owner = self.next_owner();
-        let (window, ink) = (self.window(&extent, edge), Ink::fill(fill, owner));
+        let Some((window, owner)) = self.begin(limited(), edge) else { return };
         for (b, c) in limited().skip(1).zip(limited().skip(2)) {
-            self.triangle([first, b, c], &window, ink);
+            self.triangle([first, b, c], &window, Ink::fill(fill, owner));
         }
         if let Some(edge) = edge {
-            let ink = Ink::outline(edge, owner);
-            limited().for_each(|corner| self.point(corner, ink));
-            let followers = limited().skip(1).chain([first]);
-            limited().zip(followers).for_each(|(a, b)| self.side(a, b, ink));
+            self.around(limited(), Ink::outline(edge, owner));
         }
     }
 
@@ -218,11 +151,8 @@ impl DepthBuffer {
     /// end is given first. Nothing is drawn if a depth is no finite number.
     pub fn line(&mut self, from: Vertex, to: Vertex, color: u8) {
         let (Some(from), Some(to)) = (from.limited(), to.limited()) else { return };
-        if !self.is_outside(&Extent::of([from, to])) {
-            let owner = self.next_owner();
-            let ink = Ink::outline(color, owner);
-            [from, to].into_iter().for_each(|end| self.point(end, ink));
-            self.side(from, to, ink);
+        if let Some((_, owner)) = self.begin([from, to].into_iter(), Some(color)) {
+            self.around([from, to].into_iter(), Ink::outline(color, owner));
         }
     }
 
@@ -241,31 +171,39 @@ impl DepthBuffer {
         self.pixels.chunks_exact(self.width().max(1)).enumerate()
     }
 
-    fn is_outside(&self, extent: &Extent) -> bool {
-        let Extent { left, top, right, bottom } = *extent;
-        right < 0 || bottom < 0 || i64::from(left) >= self.width || i64::from(top) >= self.height
+    /// Begins a cell: where its fill may show, and its number; `None` if nothing of it can be seen.
+    #[inline]
+    fn begin(
+        &mut self,
+        corners: impl Iterator<Item = Vertex> + Clone,
+        edge: Option<u8>,
+    ) -> Option<(Extent, u64)> {
+        let extent = Extent::of(corners.clone());
+        let nearest = corners.map(|corner| corner.depth).fold(-DEEP, f32::max);
+        if self.hides(&extent, nearest) {
+            return None;
+        }
+        Some((self.window(&extent, edge), self.next_owner()))
     }
 
     /// Whether nothing of a cell can be seen: it is outside, or it is small and all there is nearer.
     #[inline]
-    fn covers(&self, extent: &Extent, corners: &[Vertex; 4]) -> bool {
-        if self.is_outside(extent) {
+    fn hides(&self, extent: &Extent, nearest: f32) -> bool {
+        let [left, top, right, bottom] =
+            [extent.left, extent.top, extent.right, extent.bottom].map(i64::from);
+        if right < 0 || bottom < 0 || left >= self.width || top >= self.height {
             return true;
         }
-        let Extent { left, top, right, bottom } = *extent;
-        let whole = left >= 0 && top >= 0 && i64::from(right) < self.width && i64::from(bottom) < self.height;
+        let whole = left >= 0 && top >= 0 && right < self.width && bottom < self.height;
         if !whole || right - left > SMALL || bottom - top > SMALL {
             return false;
         }
-        let nearest = corners.iter().fold(corners[0].depth, |nearest, corner| nearest.max(corner.depth));
-        // Above all pixels of this depth.
-        let limit = Pixel(Ink(0).at(nearest).0 | ((1 << DEPTH) - 1));
-        let (mut at, count) =
-            ((i64::from(top) * self.width + i64::from(left)) as usize, (right - left + 1) as usize);
-        (top..=bottom).all(|_| {
-            let row = self.pixels.get(at..at + count).unwrap_or_default();
-            at += self.width as usize;
-            row.iter().all(|pixel| *pixel > limit)
+        let limit = Ink::fill(0, 0).at(nearest).least_nearer();
+        (top..=bottom).all(|y| {
+            // Inside of the picture, so not negative.
+            let (first, last) = (y * self.width + left, y * self.width + right);
+            let row = self.pixels.get(first as usize..=last as usize).unwrap_or_default();
+            row.iter().all(|pixel| *pixel >= limit)
         })
     }
 
@@ -286,7 +224,7 @@ impl DepthBuffer {
     #[inline]
     fn next_owner(&mut self) -> u64 {
         if self.owner == OWNER {
-            self.pixels.iter_mut().for_each(|pixel| pixel.0 &= !OWNER);
+            self.pixels.iter_mut().for_each(|pixel| *pixel = pixel.disowned());
             self.owner = 0;
         }
         self.owner += 1;
@@ -332,8 +270,16 @@ impl DepthBuffer {
         }
     }
 
-    /// Draws a side of an outline, or a line, between its ends: stepped from the left end or, where it is upright, from the
-    /// upper one, so that both neighbours of a side have the same pixels and depths of it.
+    /// Draws an outline: the corners and what is between them. A line is one around two corners.
+    #[inline]
+    fn around(&mut self, corners: impl Iterator<Item = Vertex> + Clone, ink: Ink) {
+        corners.clone().for_each(|corner| self.point(corner, ink));
+        let followers = corners.clone().skip(1).chain(corners.clone().next());
+        corners.zip(followers).for_each(|(a, b)| self.side(a, b, ink));
+    }
+
+    /// Draws a side of an outline between its ends: stepped from the left end or, where it is upright,
+    /// from the upper one, so that both neighbours of a side have the same pixels and depths of it.
     #[inline]
     fn side(&mut self, a: Vertex, b: Vertex, ink: Ink) {
         let (from, to) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
@@ -361,8 +307,7 @@ impl DepthBuffer {
     #[inline]
     fn outline(&mut self, at: usize, depth: f32, ink: Ink) {
         if let Some(pixel) = self.pixels.get_mut(at) {
-            let raised = Pixel(pixel.0 >> DEPTH << DEPTH | ink.0).max(*pixel);
-            let old = if (pixel.0 ^ ink.0) & OWNER == 0 { raised } else { *pixel };
+            let old = if pixel.is_of(ink) { pixel.inked(ink).max(*pixel) } else { *pixel };
             *pixel = ink.at(depth).max(old);
         }
     }
@@ -473,14 +418,5 @@ mod tests {
         assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(2), Some(1)]);
         buffer.cell(&square(3.0), 5, Some(6));
         assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(6), Some(5)]);
-    }
-
-    #[test]
-    fn nearer_pixels_are_larger() {
-        let depths = [-DEEP, -2.5, -2.0, -1e-40, 0.0, 1e-40, 1.0, 1.5, DEEP];
-        let pixels = depths.map(|depth| Ink::fill(7, 1).at(depth));
-        assert!(pixels.is_sorted() && pixels.iter().all(|pixel| pixel.color() == Some(7)));
-        assert_eq!(Ink::fill(7, 1).at(-0.0), Ink::fill(7, 1).at(0.0));
-        assert!(Ink::fill(9, 5).at(1.0) < Ink::outline(0, 1).at(1.0));
     }
 }

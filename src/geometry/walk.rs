@@ -20,12 +20,14 @@ struct Axis {
 }
 
 impl Axis {
+    #[inline]
     fn new(from: i32, to: i32, size: i64, pitch: i64) -> Axis {
         let length = i64::from(to) - i64::from(from);
         let sign = if length < 0 { -1 } else { 1 };
         Axis { start: i64::from(from), length: length.abs(), sign, size, pitch }
     }
 
+    #[inline]
     fn inside(&self) -> bool {
         let end = self.start + self.sign * self.length;
         (0..self.size).contains(&self.start) && (0..self.size).contains(&end)
