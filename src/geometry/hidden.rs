@@ -409,14 +409,17 @@ mod tests {
     /// The numbers of cells begin anew without a cell being taken for another one.
     #[test]
     fn cells_are_told_apart_after_the_last_number() {
-        let square = |depth: f32| [(0, 0), (4, 0), (4, 4), (0, 4)].map(|(x, y)| Vertex { x, y, depth });
+        let square = |size: i32, depth: f32| {
+            [(0, 0), (size, 0), (size, size), (0, size)].map(|(x, y)| Vertex { x, y, depth })
+        };
         let mut buffer = DepthBuffer::new(5, 5);
-        buffer.cell(&square(2.0), 1, Some(2));
+        buffer.cell(&square(4, 2.0), 1, Some(2));
         buffer.owner = OWNER;
-        buffer.cell(&square(1.0), 3, Some(4));
+        // Reaching out of the picture, it is not left out as hidden, and is the first cell's namesake.
+        buffer.cell(&square(9, 1.0), 3, Some(4));
         assert_eq!(buffer.owner, 1);
         assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(2), Some(1)]);
-        buffer.cell(&square(3.0), 5, Some(6));
+        buffer.cell(&square(4, 3.0), 5, Some(6));
         assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(6), Some(5)]);
     }
 }
