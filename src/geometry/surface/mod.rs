@@ -6,11 +6,14 @@
 //! derivatives are written once for patches.
 
 mod grid;
+mod normal;
 mod patch;
+mod refine;
 mod weave;
 
 pub use grid::Grid;
 pub use patch::{Derivatives, Patch};
+pub use refine::{RefineDirection, refine};
 
 use super::point::{check_count, check_points, within_limit};
 use super::{Bezier, BoundingBox, Closure, GeometryError, MAX_SAMPLES, Method, Point};
