@@ -109,6 +109,16 @@ fn a_plane_through_both_poles_gives_one_ring() {
 }
 
 #[test]
+fn lines_end_at_the_holes_of_doubled_poles() {
+    let ball = surface(Method::BSpline3, Topology::Sphere, &ball(8, 100.0));
+    let lines = section(&ball, Plane { normal: [0.3, 1.0, 0.0], offset: 0.0 }, 6).unwrap();
+    assert_eq!(lines.len(), 2);
+    let ends: Vec<_> = lines.iter().flat_map(|line| [line[0], line[line.len() - 1]]).collect();
+    let hole = ball.eval(0, 0, 0.0, 0.0).unwrap()[2];
+    assert!(ends.iter().all(|end| (end[2].abs() - hole).abs() < 1e-9), "{ends:?}");
+}
+
+#[test]
 fn touching_planes_give_nothing_or_a_speck() {
     let ball = surface(Method::Spline, Topology::Sphere, &ball(8, 100.0));
     for normal in [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]] {

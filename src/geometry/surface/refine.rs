@@ -60,6 +60,19 @@ enum Closing {
 /// - Interpolating splines: everywhere; the points between are those of the surface.
 /// - Bézier nets: by raising the degree.
 ///
+/// ```
+/// use grafika::geometry::{Method, RefineDirection, Scheme, Surface, Topology, refine};
+///
+/// let net: Vec<Vec<[f64; 3]>> =
+///     (0..4).map(|k| (0..3).map(|l| [f64::from(k), f64::from(l), f64::from(k * l)]).collect()).collect();
+/// let scheme = Scheme::new(Method::Spline, Topology::Open);
+/// let finer = refine(scheme, &net, RefineDirection::U)?;
+/// assert_eq!((finer.len(), finer[0].len()), (7, 3));
+/// let (before, after) = (Surface::new(scheme, &net)?, Surface::new(scheme, &finer)?);
+/// assert_eq!(before.eval(1, 0, 0.5, 0.0), after.eval(3, 0, 0.0, 0.0));
+/// # Ok::<(), grafika::geometry::GeometryError>(())
+/// ```
+///
 /// # Errors
 /// As [`Surface::new`]; [`GeometryError::NotRefinable`] for other methods, and for cubic B-splines with doubled
 /// border points in a direction that has borders: the border point of the finer net and its double would have

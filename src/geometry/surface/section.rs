@@ -7,9 +7,9 @@
 //! the surface that lies in the plane has no section but its border towards what is below.
 
 use super::patch::dot;
-use super::{Direction, Surface};
+use super::{Direction, Grid, Surface};
 use crate::geometry::point::{check_points, lerp, norm, scaled_difference};
-use crate::geometry::{GeometryError, MAX_SAMPLES, Point};
+use crate::geometry::{GeometryError, Point};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The plane of the points whose product with `normal` is `offset`.
@@ -51,6 +51,9 @@ impl Plane {
 /// How near to the plane a place is on it, by the size of the surface.
 const ON_PLANE: f64 = 1e-13;
 
+/// How near to each other points are one, by the size of the surface.
+const ONE_POINT: f64 = 1e-12;
+
 /// Rounds of the search for a crossing; halving alone is at the last bit by then.
 const ROUNDS: usize = 80;
 
@@ -60,6 +63,21 @@ const ROUNDS: usize = 80;
 ///
 /// A line ends at the borders of the surface. One that goes through a pole goes on behind it. Where the plane
 /// only touches the surface from below there is nothing; a touch from above may leave a tiny ring.
+///
+/// ```
+/// use grafika::geometry::{Method, Plane, Scheme, Surface, Topology, section};
+///
+/// // A paraboloid, cut at the height 1.
+/// let z = |k: usize, l: usize| [1.0, -1.0, 1.0][k] + [1.0, -1.0, 1.0][l];
+/// let net: Vec<Vec<[f64; 3]>> =
+///     (0..3).map(|k| (0..3).map(|l| [k as f64 - 1.0, l as f64 - 1.0, z(k, l)]).collect()).collect();
+/// let surface = Surface::new(Scheme::new(Method::Bezier, Topology::Open), &net)?;
+/// let lines = section(&surface, Plane { normal: [0.0, 0.0, 1.0], offset: 1.0 }, 10)?;
+/// assert_eq!(lines.len(), 1);
+/// assert_eq!(lines[0].first(), lines[0].last());
+/// assert!(lines[0].iter().all(|[x, y, z]| (x * x + y * y - 1.0).abs() < 1e-12 && (z - 1.0).abs() < 1e-12));
+/// # Ok::<(), grafika::geometry::GeometryError>(())
+/// ```
 ///
 /// # Errors
 /// [`GeometryError::Samples`] for no steps at all or too many places; a normal without length, coordinates that
@@ -126,7 +144,7 @@ struct Mesh<'a> {
     surface: &'a Surface,
     plane: Plane,
     lines: [Lines; 2],
-    /// Row by row; `true` on the plane and above it.
+    /// Of every place, row by row: whether it is on the plane or above it.
     above: Vec<bool>,
     /// What is called 1 when points are compared.
     size: f64,
@@ -134,56 +152,43 @@ struct Mesh<'a> {
 
 impl<'a> Mesh<'a> {
     fn new(surface: &'a Surface, plane: Plane, per_cell: usize) -> Result<Self, GeometryError> {
-        let lines = [0, 1].map(|d| &surface.directions[d]);
-        let count = |direction: &Direction| -> usize {
-            (0..direction.spans).map(|s| direction.steps(s, per_cell)).fold(1, usize::saturating_add)
-        };
-        if per_cell == 0 || count(lines[0]).saturating_mul(count(lines[1])) > MAX_SAMPLES {
-            // The grid has the same limit and says what it is.
-            return match surface.grid(per_cell) {
-                Err(error) => Err(error),
-                Ok(_) => Err(GeometryError::Samples { per_span: per_cell, most: 1 }),
-            };
-        }
-        let lines = lines.map(|direction| Lines::new(direction, per_cell));
+        let grid = surface.grid(per_cell)?;
+        let lines = surface.directions.each_ref().map(|direction| Lines::new(direction, per_cell));
         let size = surface.bounding_box().map_or(0.0, |bounds| {
             bounds.min.iter().chain(&bounds.max).fold(plane.offset.abs(), |m, x| m.max(x.abs()))
         });
         let mut mesh = Self { surface, plane, lines, above: Vec::new(), size };
-        mesh.above = mesh.sides();
+        mesh.above = mesh.sides(&grid);
         Ok(mesh)
     }
 
-    /// The side of every place. Borders that are one point are on one side.
-    fn sides(&self) -> Vec<bool> {
-        let [rows, columns] = &self.lines;
-        let mut points = Vec::with_capacity(rows.places.len() * columns.places.len());
-        for &(i, u) in &rows.places {
-            let row = columns.places.iter().map(|&(j, v)| self.surface.eval(i, j, u, v).unwrap_or([0.0; 3]));
-            points.extend(row);
-        }
-        let mut above: Vec<bool> = points.iter().map(|&p| self.height(p) >= 0.0).collect();
-        let width = columns.places.len();
-        for along_u in [true, false] {
-            let (length, step) = if along_u { (rows.places.len(), width) } else { (width, 1) };
-            let last = if along_u { width.saturating_sub(1) } else { points.len().saturating_sub(width) };
-            for first in [0, last] {
-                let border = (0..length).map(|n| first + n * step);
-                let pole = points.get(first).copied().unwrap_or([0.0; 3]);
-                let same = |n: usize| {
-                    points.get(n).is_some_and(|&p| norm(scaled_difference(1.0, pole, p)) <= 1e-12 * self.size)
-                };
-                if border.clone().all(same) {
-                    let side = above.get(first).copied().unwrap_or(true);
-                    for n in border {
-                        if let Some(at) = above.get_mut(n) {
-                            *at = side;
-                        }
+    /// The side of every place. A border that is one point is on one side, or lines would end in it.
+    fn sides(&self, grid: &Grid) -> Vec<bool> {
+        let [rows, columns] = self.lines.each_ref().map(|lines| lines.places.len());
+        let is_above = |point: Option<Point<3>>| point.is_none_or(|point| self.height(point) >= 0.0);
+        let place = |k: usize, l: usize| is_above(grid.point(k, l));
+        let mut above: Vec<bool> =
+            (0..rows).flat_map(|k| (0..columns).map(move |l| (k, l))).map(|(k, l)| place(k, l)).collect();
+        let (last_row, last_column) = (rows.saturating_sub(1), columns.saturating_sub(1));
+        let along_u = [0, last_column].map(|l| (0..rows).map(|k| [k, l]).collect::<Vec<_>>());
+        let along_v = [0, last_row].map(|k| (0..columns).map(|l| [k, l]).collect::<Vec<_>>());
+        for border in along_u.into_iter().chain(along_v) {
+            let mut points = border.iter().filter_map(|&[k, l]| grid.point(k, l));
+            let Some(pole) = points.next() else { continue };
+            if points.all(|point| self.same(pole, point)) {
+                for &[k, l] in &border {
+                    if let Some(side) = above.get_mut(k * columns + l) {
+                        *side = is_above(Some(pole));
                     }
                 }
             }
         }
         above
+    }
+
+    /// Whether two points are one but for rounding.
+    fn same(&self, a: Point<3>, b: Point<3>) -> bool {
+        norm(scaled_difference(1.0, a, b)) <= ONE_POINT * self.size
     }
 
     /// The height over the plane; what is on it but for rounding is at 0.
@@ -250,17 +255,15 @@ impl<'a> Mesh<'a> {
     fn polyline(&self, chain: &[Edge]) -> Option<Vec<Point<3>>> {
         let mut line: Vec<Point<3>> = Vec::with_capacity(chain.len());
         for point in chain.iter().filter_map(|&edge| self.crossing(edge)) {
-            let same = |last: &Point<3>| norm(scaled_difference(1.0, *last, point)) <= 1e-12 * self.size;
-            if !line.last().is_some_and(same) {
+            if !line.last().is_some_and(|&last| self.same(last, point)) {
                 line.push(point);
             }
         }
         let closed = chain.len() > 2 && chain.first() == chain.last();
-        if closed && line.len() > 2 {
-            // Points that fell together may have taken the last one along.
-            let first = line[0];
-            if line.last().is_some_and(|last| norm(scaled_difference(1.0, *last, first)) <= 1e-12 * self.size)
-            {
+        if let ([first, _, .., last], true) = (line.as_slice(), closed) {
+            // The last point is the first one, or was left out because the one before it is the same.
+            let (first, last) = (*first, *last);
+            if self.same(last, first) {
                 line.pop();
             }
             line.push(first);
