@@ -4,6 +4,7 @@
 //! A program of the book is one of these editors with its own methods and buttons; nothing here names
 //! a program.
 
+mod axes;
 mod beta;
 mod choice;
 pub mod configuration;
@@ -12,6 +13,8 @@ mod field;
 pub mod fourier;
 mod history;
 mod keys;
+mod look;
+mod place;
 pub mod plane;
 mod points;
 pub mod space;

@@ -46,6 +46,7 @@ mod cyclic;
 mod error;
 mod fourier;
 mod hermite;
+mod hidden;
 mod method;
 mod point;
 mod smooth;
@@ -53,6 +54,7 @@ mod spline;
 mod surface;
 mod tridiagonal;
 mod view;
+mod walk;
 mod weights;
 mod window;
 
@@ -64,6 +66,7 @@ pub use curve::{Curve, MAX_SAMPLES, Sample};
 pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
+pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
 pub use method::{Closure, Ends, Method};
 pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
 pub use smooth::{

@@ -91,14 +91,21 @@ impl View {
     /// The view turned by one step of an arrow key. A step over a pole is not made, as in the original.
     #[must_use]
     pub fn stepped(&self, turn: Turn) -> View {
+        let turned = self.stepped_across(turn);
+        if turned.upside_down() == self.upside_down() { turned } else { *self }
+    }
+
+    /// The view turned by one step of an arrow key, without end: beyond a pole the view is upside down, and
+    /// the front goes on following the arrows.
+    #[must_use]
+    pub fn stepped_across(&self, turn: Turn) -> View {
         let side = if self.upside_down() { -STEP } else { STEP };
-        let turned = match turn {
+        match turn {
             Turn::Up => self.turned(0.0, -STEP),
             Turn::Down => self.turned(0.0, STEP),
             Turn::Left => self.turned(side, 0.0),
             Turn::Right => self.turned(-side, 0.0),
-        };
-        if turned.upside_down() == self.upside_down() { turned } else { *self }
+        }
     }
 
     /// The place of a point in the plane of the picture: to the right and up from the origin.

@@ -5,15 +5,12 @@ use crate::editor::beta::{ask_bias, ask_tension};
 use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_method};
 use crate::editor::configuration::{Next, event, quit};
 use crate::editor::drawing::Edit;
+use crate::editor::place::ask_place;
 use crate::editor::points::{PointEditor, change, delete, insert};
 use crate::geometry::{Method, Point, Shape};
 use crate::machine::{Key, Quit};
-use crate::screen::Color;
-use crate::ui::words::{self, Phrase, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay};
-
-/// What four characters can say, as in the original.
-const COORDINATES: std::ops::RangeInclusive<i32> = -999..=9999;
+use crate::ui::words::{self, Phrase};
+use crate::ui::{Answer, Desk, Question, Stay};
 
 impl PointEditor for Editor {
     type Place = Point<3>;
@@ -30,18 +27,7 @@ impl PointEditor for Editor {
     }
 
     async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<3>>, Quit> {
-        let axes = [(215, Words("x = ", "x = ")), (295, Words("y = ", "y = ")), (375, Words("z = ", "z = "))];
-        let title = Caption::new((300, 13), words::PLACE_3D);
-        let names = axes.map(|(x, text)| Caption::new((x, 30), text).colored(Color::LightMagenta));
-        let fields = axes.map(|(x, _)| Field {
-            area: Area::new(x + 27, 27, x + 65, 39),
-            at: (x + 31, 30),
-            longest: 4,
-            kind: Number::Whole(COORDINATES),
-        });
-        let form = Form::new([title].into_iter().chain(names).collect(), fields.to_vec());
-        let numbers = desk.numbers(self, &form).await?;
-        Ok(numbers.map(|numbers| [numbers[0], numbers[1], numbers[2]]))
+        ask_place(desk, self, words::PLACE_3D).await
     }
 
     fn point_out(&mut self, index: Option<usize>) {
@@ -141,7 +127,7 @@ impl Editor {
         self.stage = Stage::Result { points: answer == Answer::First };
         loop {
             let tick = event(self, desk).await?;
-            if !self.look_around(&tick) && tick.pressed(Key::Esc) {
+            if !self.viewer.look_around(&tick) && tick.pressed(Key::Esc) {
                 break;
             }
         }

@@ -3,7 +3,6 @@
 //! curves are offered is the program's choice of [`Tools`].
 
 mod commands;
-mod look;
 mod picture;
 
 use super::History;
@@ -11,15 +10,14 @@ use super::beta::BUTTONS;
 use super::choice::{COMMANDS, METHODS, Shown};
 use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit};
-use super::field::PICTURE;
 use super::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE, UNDO};
+use super::look::{Grip, Held, Look, Poles, Viewer};
 use super::stage::Stage;
-use crate::file::{Document, Format, SpacePoints};
+use crate::file::{Document, Format, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point, Shape};
-use crate::machine::{Button, Event, Key, Machine, Quit, Tick};
+use crate::machine::{Key, Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Desk, KeyHelp, Manual, Words};
-use look::Look;
 use serde::Serialize;
 
 /// The control points of a curve in space.
@@ -44,28 +42,15 @@ impl Tools {
     }
 }
 
-/// A point under the mouse.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Held {
-    /// Which one.
-    index: usize,
-    /// Where the mouse took it up.
-    pressed: (i32, i32),
-    /// Where it is held.
-    at: Point<3>,
-}
-
 /// The editor's whole state.
 struct Editor {
     tools: Tools,
     history: History<Drawing>,
-    look: Look,
-    /// Where a turn by the mouse began: the look and the pixel.
-    turning: Option<(Look, (i32, i32))>,
+    viewer: Viewer,
     shown: Shown,
     /// The shape of the beta-spline; it outlives a configuration.
     shape: Shape,
-    held: Option<Held>,
+    held: Option<Held<usize>>,
     stage: Stage,
     /// The point that is about to be changed.
     pointed_out: Option<usize>,
@@ -166,23 +151,23 @@ impl Configuration for Editor {
             bias: self.shape.bias,
             tension: self.shape.tension,
             visible: self.shown.visible,
-            azimuth: self.look.view.azimuth().to_degrees(),
-            elevation: self.look.view.elevation().to_degrees(),
-            zoom: self.look.scale(),
+            azimuth: self.viewer.look.view.azimuth().to_degrees(),
+            elevation: self.viewer.look.view.elevation().to_degrees(),
+            zoom: self.viewer.look.scale(),
             unsaved: self.history.unsaved(),
         }
     }
 
     async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
         self.held = None;
-        self.turning = None;
+        self.viewer.stop();
         self.pointed_out = None;
         loop {
             self.stage = Stage::Working;
             let tick = event(self, desk).await?;
             if self.held.is_some() {
                 self.drag(&tick);
-            } else if self.look_around(&tick) {
+            } else if self.viewer.look_around(&tick) {
                 // Only the picture changes.
             } else if common_key(self, desk, tick.key()).await? {
                 self.shown.after_change();
@@ -203,8 +188,7 @@ impl Editor {
         Editor {
             tools,
             history: History::new(Drawing::default()),
-            look: Look::default(),
-            turning: None,
+            viewer: Viewer::new(start()),
             shown: Shown::default(),
             shape: Shape::default(),
             held: None,
@@ -217,8 +201,7 @@ impl Editor {
     /// Takes up a drawing that needs no saving, and looks at it as at the start.
     fn load(&mut self, drawing: Drawing) {
         self.history = History::new(drawing);
-        self.look = Look::default();
-        self.turning = None;
+        self.viewer = Viewer::new(start());
         self.shown.take(None);
         self.held = None;
         self.pointed_out = None;
@@ -230,7 +213,7 @@ impl Editor {
         let Some((x, y)) = tick.click() else { return tick.letter() };
         if let Some(index) = self.point_at(x, y) {
             let at = self.history.now().points().get(index).copied()?;
-            self.held = Some(Held { index, pressed: (x, y), at });
+            self.held = Some(Held::new(index, (x, y), at));
             return None;
         }
         let own = match self.tools {
@@ -244,24 +227,14 @@ impl Editor {
     /// Follows the mouse with the point that it holds, in the plane of the picture, and drops it.
     fn drag(&mut self, tick: &Tick) {
         let Some(held) = &mut self.held else { return };
-        match tick.event {
-            Some(Event::Move(..)) => {
-                let from = self.history.now().points().get(held.index).copied().unwrap_or(held.at);
-                let x = tick.mouse.x.clamp(PICTURE.x1, PICTURE.x2);
-                let y = tick.mouse.y.clamp(PICTURE.y1, PICTURE.y2);
-                let by = (x - held.pressed.0, y - held.pressed.1);
-                // A hand that only clicks does not move the point.
-                if by.0 * by.0 + by.1 * by.1 > 2 {
-                    held.at = self.look.dragged(from, by);
-                }
-            }
-            Some(Event::Release(Button::Left)) => {
+        match held.follow(tick, self.viewer.look) {
+            Grip::Holding => {}
+            Grip::Dropped => {
                 self.history.change(self.preview());
                 self.held = None;
                 self.shown.after_change();
             }
-            Some(Event::Key(Key::Esc)) => self.held = None,
-            _ => {}
+            Grip::LetGo => self.held = None,
         }
     }
 
@@ -273,32 +246,9 @@ impl Editor {
             None => now.clone(),
         }
     }
+}
 
-    /// Turns and zooms by arrow keys, right button and wheel. Whether the event was for that.
-    fn look_around(&mut self, tick: &Tick) -> bool {
-        if let Some((from, (x, y))) = self.turning {
-            match tick.event {
-                Some(Event::Key(Key::Esc)) => (self.look, self.turning) = (from, None),
-                _ if !tick.mouse.holds(Button::Right) => self.turning = None,
-                _ => self.look = from.turned_by((tick.mouse.x - x, tick.mouse.y - y)),
-            }
-            return true;
-        }
-        match tick.event {
-            Some(Event::Press(Button::Right)) => {
-                self.turning = Some((self.look, (tick.mouse.x, tick.mouse.y)));
-                true
-            }
-            Some(Event::Wheel(steps)) => {
-                self.look = self.look.zoomed(steps);
-                true
-            }
-            Some(Event::Key(key)) => {
-                let look = self.look.after(key);
-                self.look = look.unwrap_or(self.look);
-                look.is_some()
-            }
-            _ => false,
-        }
-    }
+/// The look at every new configuration.
+fn start() -> Look {
+    Look::new(SPACE_VIEW, Poles::Stop)
 }

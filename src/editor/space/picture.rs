@@ -1,33 +1,13 @@
 //! The picture of the space editor: the model as pixels, changing nothing.
 
 use super::{Editor, Stage, Tools};
+use crate::editor::axes::{draw_axes, draw_legend};
 use crate::editor::beta;
 use crate::editor::choice::COMMANDS;
 use crate::editor::field::{ground, numbered_disc, on_disc, surroundings};
-use crate::geometry::Point;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Picture, TOP, page, words};
-
-/// The axes with their names and where these stand, from the axis's end.
-const AXES: [(&str, Point<3>, (i32, i32)); 3] =
-    [("x", [200.0, 0.0, 0.0], (2, 2)), ("y", [0.0, 200.0, 0.0], (2, 2)), ("z", [0.0, 0.0, 200.0], (5, 2))];
-
-/// The arrows in the corner of the result.
-const ARROWS: [[(i32, i32); 2]; 12] = [
-    [(50, 10), (50, 35)],
-    [(50, 10), (48, 14)],
-    [(50, 10), (52, 14)],
-    [(50, 70), (50, 45)],
-    [(50, 70), (48, 66)],
-    [(50, 70), (52, 66)],
-    [(20, 40), (45, 40)],
-    [(20, 40), (24, 38)],
-    [(20, 40), (24, 42)],
-    [(80, 40), (55, 40)],
-    [(80, 40), (76, 38)],
-    [(80, 40), (76, 42)],
-];
 
 impl Picture for Editor {
     fn draw(&self, screen: &mut Screen, language: Language) {
@@ -42,23 +22,20 @@ impl Editor {
     /// The curve without its surroundings.
     fn draw_result(&self, screen: &mut Screen, points: bool, language: Language) {
         screen.clear(Color::Black);
-        self.draw_axes(screen);
+        draw_axes(screen, self.viewer.look);
         self.draw_curve(screen);
         let shown = if points { self.history.now().points() } else { &[] };
         for &point in shown {
-            let (x, y) = self.look.to_screen(point);
+            let (x, y) = self.viewer.look.to_screen(point);
             screen.disc(x, y, 4, Color::White, Color::White);
         }
-        for [(x1, y1), (x2, y2)] in ARROWS {
-            screen.line(x1, y1, x2, y2, Stroke::thin(Color::LightGray));
-        }
-        screen.text(15, 85, words::LEAVE.of(language), Color::LightGray);
+        draw_legend(screen, language);
     }
 
     /// The editor with its frame and buttons.
     fn draw_desk(&self, screen: &mut Screen, stage: Stage, language: Language) {
         ground(screen);
-        self.draw_axes(screen);
+        draw_axes(screen, self.viewer.look);
         if self.shown.visible || self.held.is_some() {
             self.draw_curve(screen);
         }
@@ -82,29 +59,20 @@ impl Editor {
         COMMANDS.iter().chain(self.tools.buttons()).for_each(|button| button.draw(screen, language));
     }
 
-    fn draw_axes(&self, screen: &mut Screen) {
-        let (x0, y0) = self.look.to_screen([0.0; 3]);
-        for (name, end, (dx, dy)) in AXES {
-            let (x, y) = self.look.to_screen(end);
-            screen.line(x0, y0, x, y, Stroke::thin(Color::White));
-            screen.text(x + dx, y + dy, name, Color::White);
-        }
-    }
-
     /// The chosen curve through the points as they would be if a dragged one were dropped now; one that
     /// does not exist is not drawn.
     fn draw_curve(&self, screen: &mut Screen) {
         let Some(choice) = self.shown.choice else { return };
         let drawing = self.preview();
         let Ok(line) = choice.polyline(drawing.points()) else { return };
-        let mut pixels: Vec<_> = line.into_iter().map(|point| self.look.to_screen(point)).collect();
+        let mut pixels: Vec<_> = line.into_iter().map(|point| self.viewer.look.to_screen(point)).collect();
         pixels.dedup();
         screen.polyline(&pixels, Stroke::thick(Color::White));
         if self.tools == Tools::Beta
             && let Ok(curve) = choice.curve(drawing.points())
         {
             for joint in beta::joints(&curve, choice.closure) {
-                beta::draw_joint(screen, self.look.to_screen(joint));
+                beta::draw_joint(screen, self.viewer.look.to_screen(joint));
             }
         }
     }
@@ -112,10 +80,10 @@ impl Editor {
     /// The control points with their numbers, the nearest on top.
     fn draw_points(&self, screen: &mut Screen) {
         let drawing = self.preview();
-        for index in self.look.view.far_to_near(drawing.points()) {
+        for index in self.viewer.look.view.far_to_near(drawing.points()) {
             // The indices are those of these points.
             let Some(&point) = drawing.points().get(index) else { continue };
-            numbered_disc(screen, self.look.to_screen(point), index + 1, Color::Black);
+            numbered_disc(screen, self.viewer.look.to_screen(point), index + 1, Color::Black);
         }
     }
 
@@ -131,8 +99,8 @@ impl Editor {
     pub(super) fn point_at(&self, x: i32, y: i32) -> Option<usize> {
         let points = self.history.now().points();
         let under = |index: &usize| {
-            points.get(*index).is_some_and(|&point| on_disc(self.look.to_screen(point), (x, y)))
+            points.get(*index).is_some_and(|&point| on_disc(self.viewer.look.to_screen(point), (x, y)))
         };
-        self.look.view.far_to_near(points).into_iter().rev().find(under)
+        self.viewer.look.view.far_to_near(points).into_iter().rev().find(under)
     }
 }

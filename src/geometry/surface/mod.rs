@@ -123,8 +123,8 @@ enum Body {
 
 impl Surface {
     /// The surface of a net: row `k` is the points of constant `u`, point `l` of it counts in `v`. Closed
-    /// directions do not repeat a row. The first and last points of a sphere's rows are its poles, the same
-    /// point in every row.
+    /// directions do not repeat a row. The first and last points of a sphere's rows are its poles; those of row
+    /// 0 count.
     ///
     /// # Errors
     /// Too few or too many points, rows of different lengths, a bad coordinate or parameter, a topology that

@@ -13,7 +13,8 @@ pub(super) fn patches(
     scheme: Scheme,
     net: &[Vec<Point<3>>],
 ) -> Result<(Vec<Patch>, [Direction; 2]), GeometryError> {
-    let (rows, v) = along_v(scheme, net)?;
+    let one_pole = one_pole(scheme.topology, net);
+    let (rows, v) = along_v(scheme, one_pole.as_deref().unwrap_or(net))?;
     let (method, ends) = match scheme.topology {
         Topology::Open => between_borders(scheme.u, scheme.border),
         Topology::Sphere | Topology::Torus => (scheme.u, Ends::Closed),
@@ -35,6 +36,22 @@ pub(super) fn patches(
         }
     }
     Ok((patches, [u, v]))
+}
+
+/// The net of a sphere with the poles of its first row in every row: files in single precision have them
+/// apart by rounding, and the surface shall have no gap there.
+fn one_pole(topology: Topology, net: &[Vec<Point<3>>]) -> Option<Vec<Vec<Point<3>>>> {
+    let poles = [net.first()?.first().copied()?, net.first()?.last().copied()?];
+    if topology != Topology::Sphere {
+        return None;
+    }
+    let mut net = net.to_vec();
+    for row in &mut net {
+        if let [first, .., last] = row.as_mut_slice() {
+            [*first, *last] = poles;
+        }
+    }
+    Some(net)
 }
 
 type Rows = Vec<Vec<CubicBezier<3>>>;

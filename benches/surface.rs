@@ -1,0 +1,79 @@
+//! Speed of a surface's filled picture: a torus of 100 000 cells, its points projected and its cells
+//! drawn with their outlines by the depth of every pixel, as it is done anew when the view is turned.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use grafika::geometry::{DepthBuffer, Point, Vertex, View};
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+/// Cells around the torus, and around its tube.
+const LONG: usize = 400;
+const SHORT: usize = 250;
+
+/// The torus' middle circle and its tube: 400 pixels wide.
+const RADII: [f64; 2] = [140.0, 60.0];
+
+fn torus() -> Vec<Point<3>> {
+    let place = |j: usize, count: usize| (TAU * j as f64 / count as f64).sin_cos();
+    let point = |index: usize| {
+        let ((sin, cos), (height, width)) = (place(index / SHORT, LONG), place(index % SHORT, SHORT));
+        let radius = RADII[0] + RADII[1] * width;
+        [radius * cos, radius * sin, RADII[1] * height]
+    };
+    (0..LONG * SHORT).map(point).collect()
+}
+
+fn project(points: &[Point<3>], view: &View, out: &mut Vec<Vertex>) {
+    out.clear();
+    out.extend(points.iter().map(|&point| {
+        let [x, y] = view.pixel(point, 1.0);
+        Vertex { x: x as i32, y: y as i32, depth: view.depth(point) as f32 }
+    }));
+}
+
+fn draw(vertices: &[Vertex], buffer: &mut DepthBuffer) {
+    buffer.clear();
+    let at = |k: usize, l: usize| vertices[k % LONG * SHORT + l % SHORT];
+    for k in 0..LONG {
+        for l in 0..SHORT {
+            let corners = [at(k + 1, l), at(k + 1, l + 1), at(k, l + 1), at(k, l)];
+            buffer.cell(&corners, 0, Some(15));
+        }
+    }
+}
+
+fn surface(c: &mut Criterion) {
+    let points = torus();
+    let mut vertices = Vec::with_capacity(points.len());
+    let mut buffer = DepthBuffer::new(640, 480);
+    let mut group = c.benchmark_group("torus of 100 000 cells");
+    for (name, elevation) in [("from above", 1.5), ("slanting", 0.7), ("from the side", 0.1)] {
+        let view = View::from_angles(0.4, elevation);
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                project(black_box(&points), &view, &mut vertices);
+                draw(&vertices, &mut buffer);
+                black_box(&mut buffer);
+            });
+        });
+    }
+    let view = View::from_angles(0.4, 0.7);
+    group.bench_function("projection alone", |b| {
+        b.iter(|| project(black_box(&points), &view, black_box(&mut vertices)));
+    });
+    let mut copy = vec![0; 640 * 480];
+    group.bench_function("copy alone", |b| {
+        b.iter(|| {
+            for (y, row) in black_box(&buffer).rows() {
+                for (to, pixel) in copy[640 * y..].iter_mut().zip(row) {
+                    *to = pixel.color().unwrap_or(*to);
+                }
+            }
+            black_box(&mut copy);
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, surface);
+criterion_main!(benches);

@@ -1,0 +1,249 @@
+//! How the user looks at space: the view and the scale, the ways to change them, and a control point that
+//! the mouse holds in the picture. Nothing of this is saved or undone: it is no part of the configuration.
+
+use super::field::{PICTURE, pixel};
+use crate::geometry::{Point, Turn, View};
+use crate::machine::{Button, Event, Key, Tick};
+
+/// Steps of the wheel that double the scale.
+const DOUBLING: i32 = 4;
+/// The largest number of steps away from the scale of 1: eight times as large or as small.
+const MOST: i32 = 3 * DOUBLING;
+/// Pixels that the mouse moves for a turn by a radian: the front of a ball of this radius follows it.
+const RADIAN: f64 = 200.0;
+
+/// A view at a scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Look {
+    pub(super) view: View,
+    /// The view of the start, which Home goes back to.
+    home: View,
+    poles: Poles,
+    /// Wheel steps away from a pixel for a unit of length.
+    zoom: i32,
+}
+
+/// What an arrow key does where the viewer looks straight along the axis z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Poles {
+    /// It stops, as in the original.
+    Stop,
+    /// It goes on to the other side.
+    Cross,
+}
+
+impl Look {
+    /// The look at every new configuration, from a direction.
+    pub(super) fn new(direction: Point<3>, poles: Poles) -> Look {
+        let home = View::from_direction(direction);
+        Look { view: home, home, poles, zoom: 0 }
+    }
+
+    /// Pixels for a unit of length.
+    pub(super) fn scale(self) -> f64 {
+        (f64::from(self.zoom) / f64::from(DOUBLING)).exp2()
+    }
+
+    /// The pixel of a point.
+    pub(super) fn to_screen(self, point: Point<3>) -> (i32, i32) {
+        let [x, y] = self.view.pixel(point, self.scale());
+        (pixel(x), pixel(y))
+    }
+
+    /// A point dragged over so many pixels to the right and down: its depth stays.
+    pub(super) fn dragged(self, point: Point<3>, (right, down): (i32, i32)) -> Point<3> {
+        self.view.moved(point, [right, -down].map(|pixels| f64::from(pixels) / self.scale()))
+    }
+
+    /// Turned by a drag over so many pixels to the right and down, freely over the poles: what is in
+    /// front follows the mouse.
+    pub(super) fn turned_by(self, (right, down): (i32, i32)) -> Look {
+        // The side is that of the drag's beginning, so that crossing a pole turns nothing round.
+        let side = if self.view.upside_down() { 1.0 } else { -1.0 };
+        let view = self.view.turned(side * f64::from(right) / RADIAN, f64::from(down) / RADIAN);
+        Look { view, ..self }
+    }
+
+    /// Larger by so many steps of the wheel, or smaller.
+    pub(super) fn zoomed(self, steps: i32) -> Look {
+        Look { zoom: self.zoom.saturating_add(steps).clamp(-MOST, MOST), ..self }
+    }
+
+    /// The look after a key that changes it.
+    pub(super) fn after(self, key: Key) -> Option<Look> {
+        let turn = match key {
+            Key::Up => Turn::Up,
+            Key::Down => Turn::Down,
+            Key::Left => Turn::Left,
+            Key::Right => Turn::Right,
+            Key::Home => return Some(Look { view: self.home, zoom: 0, ..self }),
+            _ => return None,
+        };
+        let view = match self.poles {
+            Poles::Stop => self.view.stepped(turn),
+            Poles::Cross => self.view.stepped_across(turn),
+        };
+        Some(Look { view, ..self })
+    }
+}
+
+/// A look that the user changes by arrow keys, the right button and the wheel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Viewer {
+    pub(super) look: Look,
+    /// Where a turn by the mouse began: the look and the pixel.
+    turning: Option<(Look, (i32, i32))>,
+}
+
+impl Viewer {
+    pub(super) fn new(look: Look) -> Viewer {
+        Viewer { look, turning: None }
+    }
+
+    /// Ends a turn by the mouse that has been interrupted.
+    pub(super) fn stop(&mut self) {
+        self.turning = None;
+    }
+
+    /// Turns and zooms. Whether the event was for that.
+    pub(super) fn look_around(&mut self, tick: &Tick) -> bool {
+        if let Some((from, (x, y))) = self.turning {
+            match tick.event {
+                Some(Event::Key(Key::Esc)) => (self.look, self.turning) = (from, None),
+                _ if !tick.mouse.holds(Button::Right) => self.turning = None,
+                _ => self.look = from.turned_by((tick.mouse.x - x, tick.mouse.y - y)),
+            }
+            return true;
+        }
+        match tick.event {
+            Some(Event::Press(Button::Right)) => {
+                self.turning = Some((self.look, (tick.mouse.x, tick.mouse.y)));
+                true
+            }
+            Some(Event::Wheel(steps)) => {
+                self.look = self.look.zoomed(steps);
+                true
+            }
+            Some(Event::Key(key)) => {
+                let look = self.look.after(key);
+                self.look = look.unwrap_or(self.look);
+                look.is_some()
+            }
+            _ => false,
+        }
+    }
+}
+
+/// A control point under the mouse; `I` says which one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Held<I> {
+    pub(super) index: I,
+    /// Where the mouse took it up.
+    pressed: (i32, i32),
+    /// Where it was.
+    from: Point<3>,
+    /// Where it is held.
+    pub(super) at: Point<3>,
+}
+
+/// What becomes of a held point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Grip {
+    /// It is held on.
+    Holding,
+    /// It is dropped where it is.
+    Dropped,
+    /// It goes back.
+    LetGo,
+}
+
+impl<I> Held<I> {
+    pub(super) fn new(index: I, pressed: (i32, i32), at: Point<3>) -> Held<I> {
+        Held { index, pressed, from: at, at }
+    }
+
+    /// Whether the mouse has not moved it.
+    pub(super) fn unmoved(&self) -> bool {
+        self.at == self.from
+    }
+
+    /// Follows the mouse in the plane of the picture.
+    pub(super) fn follow(&mut self, tick: &Tick, look: Look) -> Grip {
+        match tick.event {
+            Some(Event::Move(..)) => {
+                let x = tick.mouse.x.clamp(PICTURE.x1, PICTURE.x2);
+                let y = tick.mouse.y.clamp(PICTURE.y1, PICTURE.y2);
+                let by = (x - self.pressed.0, y - self.pressed.1);
+                // A hand that only clicks does not move the point.
+                if by.0 * by.0 + by.1 * by.1 > 2 {
+                    self.at = look.dragged(self.from, by);
+                }
+                Grip::Holding
+            }
+            Some(Event::Release(Button::Left)) => Grip::Dropped,
+            Some(Event::Key(Key::Esc)) => Grip::LetGo,
+            _ => Grip::Holding,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::file::SPACE_VIEW;
+
+    fn start() -> Look {
+        Look::new(SPACE_VIEW, Poles::Stop)
+    }
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_scale_has_its_limits_and_home_is_the_start() {
+        let look = start().zoomed(i32::MAX);
+        assert_eq!((look.scale(), look.zoomed(i32::MIN).scale()), (8.0, 0.125));
+        assert_eq!(look.zoomed(-12).scale(), 1.0);
+        assert_eq!(look.turned_by((77, -300)).after(Key::Home), Some(start()));
+    }
+
+    #[test]
+    fn a_drag_goes_over_the_pole_without_a_jump() {
+        let beginning = start();
+        let places = |down| beginning.turned_by((0, down)).to_screen([40.0, -90.0, 120.0]);
+        assert!(beginning.turned_by((0, 300)).view.upside_down());
+        for down in 0..700 {
+            let ((x1, y1), (x2, y2)) = (places(down), places(down + 1));
+            assert!((x1 - x2).abs() <= 1 && (y1 - y2).abs() <= 2, "{down}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_dragged_point_is_under_the_mouse(
+            point in prop::array::uniform3(-300.0..300.0f64),
+            drag in prop::array::uniform2(-300..300),
+            turn in prop::array::uniform2(-900..900),
+            zoom in -14..14,
+        ) {
+            let look = start().turned_by((turn[0], turn[1])).zoomed(zoom);
+            let dragged = look.dragged(point, (drag[0], drag[1]));
+            let (x, y) = look.to_screen(point);
+            let (to_x, to_y) = look.to_screen(dragged);
+            prop_assert!((to_x - x - drag[0]).abs() <= 1 && (to_y - y - drag[1]).abs() <= 1);
+            prop_assert!((look.view.depth(dragged) - look.view.depth(point)).abs() < 1e-9);
+        }
+
+        #[test]
+        // Less than four pixels may round to no pixel at all.
+        fn the_front_follows_the_mouse(turn in prop::array::uniform2(-900..900), by in 4..40) {
+            let look = start().turned_by((turn[0], turn[1]));
+            prop_assume!(look.view.elevation().cos().abs() > 0.3);
+            // The point of a ball that looks straight to the viewer, in the middle of the picture.
+            let (a, e) = (look.view.azimuth(), look.view.elevation());
+            let front = [e.cos() * a.cos(), e.cos() * a.sin(), e.sin()].map(|value| 200.0 * value);
+            let (x, y) = look.turned_by((by, 0)).to_screen(front);
+            prop_assert!(x > 331 && x <= 331 + by + 1 && (y - 260).abs() <= by, "{x} {y}");
+            let (x, y) = look.turned_by((0, by)).to_screen(front);
+            prop_assert!(x == 331 && y > 260 - 1 && y <= 260 + by + 1, "{x} {y}");
+        }
+    }
+}

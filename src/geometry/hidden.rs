@@ -1,0 +1,369 @@
+//! Hidden surfaces by the depth of every pixel: cells of a surface, flat faces and lines in any order,
+//! of which the picture keeps what is nearest to the viewer. So it is right from every side, also where
+//! a surface folds over itself or cuts through itself, which the order of far to near that the book
+//! paints cells in (chapter 3, unit RAJZ_F3D) cannot do.
+//!
+//! A cell is two triangles with their boundary pixels, and its outline over them: the pixels of thin
+//! lines. An outline belongs to its cell: where a cell's own fill is nearest its outline shows, however
+//! steep the cell is, and a pixel counts as near as the nearer of both. Neighbours share whole sides,
+//! with the same pixels from both, so that neither covers the other's outline and no depth needs a bias.
+//!
+//! Where depths are exactly equal, outlines go before fills, then the larger colour before the smaller.
+//! So the order of drawing does not matter at all where all cells have the same two colours, and
+//! otherwise only where different colours meet at exactly one depth. Colours are numbers; what they
+//! look like, and the projection, are the caller's.
+
+use super::walk::Walk;
+use std::array::from_fn;
+
+/// The largest width and height of a depth buffer in pixels.
+pub const MAX_SIDE: usize = 4096;
+
+/// Coordinates beyond are taken as this: products of two differences fit 64 bits with room.
+const FAR_AWAY: i32 = 1 << 24;
+
+/// Depths beyond are taken as this, so that interpolation overflows nowhere.
+const DEEP: f32 = 1e20;
+
+/// Rows of a triangle wider than this are narrowed by divisions before they are scanned.
+const WIDE: i64 = 16;
+
+/// A corner in the picture: the pixel it falls on, and its depth.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vertex {
+    /// Pixels from the left edge of the picture to the right.
+    pub x: i32,
+    /// Pixels from the upper edge of the picture down.
+    pub y: i32,
+    /// How near to the viewer, larger is nearer, in any unit that grows linearly along straight lines
+    /// of the picture (as [`super::View::depth`] does).
+    pub depth: f32,
+}
+
+impl Vertex {
+    /// The vertex within the limits of coordinates and depths; `None` if the depth is no finite number.
+    #[inline]
+    fn limited(self) -> Option<Vertex> {
+        self.depth.is_finite().then(|| Vertex {
+            x: self.x.clamp(-FAR_AWAY, FAR_AWAY),
+            y: self.y.clamp(-FAR_AWAY, FAR_AWAY),
+            depth: self.depth.clamp(-DEEP, DEEP),
+        })
+    }
+}
+
+/// One pixel of a depth buffer: its depth, whether an outline made it, its colour, and the number of the
+/// cell, from the highest bits to the lowest, so that of two the larger is the one to be seen. Zero where
+/// nothing is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Pixel(u64);
+
+impl Pixel {
+    /// The colour drawn here, if anything is.
+    #[inline]
+    #[must_use]
+    pub fn color(self) -> Option<u8> {
+        (self.0 != 0).then_some((self.0 >> COLOR) as u8)
+    }
+}
+
+/// The lowest bit of a pixel's colour; below are the bits of the cell's number.
+const COLOR: u32 = 23;
+const OWNER: u64 = (1 << COLOR) - 1;
+/// The bit of an outline.
+const OUTLINE: u64 = 1 << 31;
+/// The lowest bit of a pixel's depth.
+const DEPTH: u32 = 32;
+
+/// What a pixel holds besides its depth.
+#[derive(Clone, Copy)]
+struct Ink(u64);
+
+impl Ink {
+    fn fill(color: u8, owner: u64) -> Ink {
+        Ink(u64::from(color) << COLOR | owner)
+    }
+
+    fn outline(color: u8, owner: u64) -> Ink {
+        Ink(OUTLINE | u64::from(color) << COLOR | owner)
+    }
+
+    #[inline]
+    fn at(self, depth: f32) -> Pixel {
+        // Zero has one sign only. The bits of positive numbers are in order; those of negative ones are
+        // in reverse.
+        let bits = (depth + 0.0).to_bits();
+        let order = bits ^ (((bits as i32 >> 31) as u32) | 1 << 31);
+        Pixel(u64::from(order) << DEPTH | self.0)
+    }
+}
+
+/// A picture that knows how near every pixel is.
+///
+/// ```
+/// use grafika::geometry::{DepthBuffer, Vertex};
+///
+/// let at = |x, y, depth| Vertex { x, y, depth };
+/// let mut buffer = DepthBuffer::new(12, 8);
+/// let square = |depth| [at(1, 1, depth), at(5, 1, depth), at(5, 5, depth), at(1, 5, depth)];
+/// buffer.cell(&square(2.0), 0, Some(15));
+/// buffer.cell(&square(1.0), 4, Some(4));
+/// assert_eq!(buffer.pixel(3, 3), Some(0));
+/// assert_eq!(buffer.pixel(5, 3), Some(15));
+/// assert_eq!(buffer.pixel(6, 3), None);
+/// ```
+#[derive(Clone, Debug)]
+pub struct DepthBuffer {
+    width: i64,
+    height: i64,
+    pixels: Vec<Pixel>,
+    /// The number of the last cell drawn.
+    owner: u64,
+}
+
+impl DepthBuffer {
+    /// An empty buffer of some width and height in pixels, each at most [`MAX_SIDE`]: what is larger is
+    /// cut to it.
+    #[must_use]
+    pub fn new(width: usize, height: usize) -> DepthBuffer {
+        let (width, height) = (width.min(MAX_SIDE), height.min(MAX_SIDE));
+        let pixels = vec![Pixel::default(); width * height];
+        DepthBuffer { width: width as i64, height: height as i64, pixels, owner: 0 }
+    }
+
+    /// The width in pixels.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width as usize
+    }
+
+    /// The height in pixels.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.height as usize
+    }
+
+    /// Forgets all that is drawn.
+    pub fn clear(&mut self) {
+        self.pixels.fill(Pixel::default());
+        self.owner = 0;
+    }
+
+    /// Draws a cell of a surface: four corners in their order around it, filled, and outlined if an edge
+    /// colour is given. It is two triangles, parted by the diagonal from the first corner to the third
+    /// unless only the other one lies inside of it as it is seen. Of a cell that is seen as a line or a
+    /// point only the outline is drawn; nothing of a cell with a depth that is no finite number.
+    pub fn cell(&mut self, corners: &[Vertex; 4], fill: u8, edge: Option<u8>) {
+        let [Some(a), Some(b), Some(c), Some(d)] = corners.map(Vertex::limited) else { return };
+        let corners = [a, b, c, d];
+        let Some(owner) = self.owner_of(&corners) else { return };
+        let ink = Ink::fill(fill, owner);
+        // Within two by two pixels the outline is all, and it is the corners.
+        match edge {
+            Some(edge) if is_tiny(&corners) => {
+                let ink = Ink::outline(edge, owner);
+                corners.iter().for_each(|corner| self.point(*corner, ink));
+                return;
+            }
+            _ => {}
+        }
+        let folded = |one: i64, other: i64| (one < 0) != (other < 0) && one != 0 && other != 0;
+        let other_diagonal = folded(turn(a, b, c), turn(a, c, d)) && !folded(turn(b, c, d), turn(b, d, a));
+        let halves = if other_diagonal { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] };
+        halves.into_iter().for_each(|half| self.triangle(half, ink));
+        if let Some(edge) = edge {
+            let ink = Ink::outline(edge, owner);
+            [(a, b), (b, c), (c, d), (d, a)].into_iter().for_each(|(a, b)| self.side(a, b, ink));
+        }
+    }
+
+    /// Draws a flat convex face: its corners in their order around it, filled, and outlined if an edge
+    /// colour is given. Of fewer than three corners only the outline is drawn; nothing of a face with a
+    /// depth that is no finite number.
+    pub fn polygon(&mut self, corners: &[Vertex], fill: u8, edge: Option<u8>) {
+        if corners.iter().any(|corner| !corner.depth.is_finite()) {
+            return;
+        }
+        let limited = || corners.iter().filter_map(|corner| corner.limited());
+        let (Some(first), Some(owner)) = (limited().next(), self.owner_of(corners)) else { return };
+        let ink = Ink::fill(fill, owner);
+        for (b, c) in limited().skip(1).zip(limited().skip(2)) {
+            self.triangle([first, b, c], ink);
+        }
+        if let Some(edge) = edge {
+            let ink = Ink::outline(edge, owner);
+            let followers = limited().skip(1).chain([first]);
+            limited().zip(followers).for_each(|(a, b)| self.side(a, b, ink));
+        }
+    }
+
+    /// Draws a line one pixel wide where nothing nearer is, itself before a fill as near. Its pixels are
+    /// those of the outlines: stepped from the left end, of an upright line from the upper end, whichever
+    /// end is given first. Nothing is drawn if a depth is no finite number.
+    pub fn line(&mut self, from: Vertex, to: Vertex, color: u8) {
+        let (Some(from), Some(to)) = (from.limited(), to.limited()) else { return };
+        if let Some(owner) = self.owner_of(&[from, to]) {
+            self.side(from, to, Ink::outline(color, owner));
+        }
+    }
+
+    /// The colour at a pixel; `None` where nothing is drawn, and outside.
+    #[must_use]
+    pub fn pixel(&self, x: i32, y: i32) -> Option<u8> {
+        let (x, y) = (i64::from(x), i64::from(y));
+        let inside = (0..self.width).contains(&x) && (0..self.height).contains(&y);
+        let at = inside.then_some((y * self.width + x) as usize)?;
+        self.pixels.get(at)?.color()
+    }
+
+    /// The rows from the upper one down, each with its `y` and its pixels from the left to the right:
+    /// the way to copy the picture to a screen, with [`Pixel::color`] telling what is drawn.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, &[Pixel])> {
+        self.pixels.chunks_exact(self.width().max(1)).enumerate()
+    }
+
+    /// A new number for a cell; `None` if all of it is outside of the picture.
+    #[inline]
+    fn owner_of(&mut self, corners: &[Vertex]) -> Option<u64> {
+        let outside = |coordinate: fn(&Vertex) -> i32, size: i64| {
+            corners.iter().all(|corner| coordinate(corner) < 0)
+                || corners.iter().all(|corner| i64::from(coordinate(corner)) >= size)
+        };
+        if outside(|corner| corner.x, self.width) || outside(|corner| corner.y, self.height) {
+            return None;
+        }
+        if self.owner == OWNER {
+            self.pixels.iter_mut().for_each(|pixel| pixel.0 &= !OWNER);
+            self.owner = 0;
+        }
+        self.owner += 1;
+        Some(self.owner)
+    }
+
+    /// Fills a triangle, its boundary pixels included; nothing if it is seen as a line.
+    #[inline]
+    fn triangle(&mut self, [a, b, c]: [Vertex; 3], ink: Ink) {
+        let area = turn(a, b, c);
+        let (b, c) = if area < 0 { (c, b) } else { (b, c) };
+        let left = i64::from(a.x.min(b.x).min(c.x)).max(0);
+        let right = i64::from(a.x.max(b.x).max(c.x)).min(self.width - 1);
+        let top = i64::from(a.y.min(b.y).min(c.y)).max(0);
+        let bottom = i64::from(a.y.max(b.y).max(c.y)).min(self.height - 1);
+        if area == 0 || left > right || top > bottom {
+            return;
+        }
+        // The weights of the corners, times the area: whole numbers, none negative inside.
+        let sides = [Side::new(b, c), Side::new(c, a), Side::new(a, b)];
+        let mut starts = sides.each_ref().map(|side| side.weight(left, top));
+        let scale = 1.0 / area.abs() as f32;
+        let (to_b, to_c) = ((b.depth - a.depth) * scale, (c.depth - a.depth) * scale);
+        let low = a.depth.min(b.depth).min(c.depth);
+        let high = a.depth.max(b.depth).max(c.depth);
+        for y in top..=bottom {
+            let steps = 0..right - left + 1;
+            let steps = if right - left < WIDE { steps } else { narrowed(steps, &sides, starts) };
+            let mut weights: [i64; 3] = from_fn(|k| starts[k] + sides[k].across * steps.start);
+            // Clipped to the picture, so not negative.
+            let at = (y * self.width + left) as usize;
+            let range = at + steps.start as usize..at + steps.end.max(steps.start) as usize;
+            for pixel in self.pixels.get_mut(range).unwrap_or_default() {
+                if (weights[0] | weights[1] | weights[2]) >= 0 {
+                    let depth = a.depth + (weights[1] as f32 * to_b + weights[2] as f32 * to_c);
+                    *pixel = ink.at(depth.max(low).min(high)).max(*pixel);
+                }
+                weights = from_fn(|k| weights[k] + sides[k].across);
+            }
+            starts = from_fn(|k| starts[k] + sides[k].down);
+        }
+    }
+
+    /// Draws a side of an outline, or a line: stepped from the left end or, where it is upright, from the
+    /// upper one, so that both neighbours of a side have the same pixels and depths of it.
+    #[inline]
+    fn side(&mut self, a: Vertex, b: Vertex, ink: Ink) {
+        let (from, to) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
+        let walk = Walk::new([from.x, from.y], [to.x, to.y], [self.width, self.height]);
+        if walk.length() <= 1 {
+            self.point(from, ink);
+            self.point(to, ink);
+            return;
+        }
+        let slope = (to.depth - from.depth) / walk.length() as f32;
+        let (low, high) = (from.depth.min(to.depth), from.depth.max(to.depth));
+        walk.visit(|step, at| {
+            self.outline(at, (from.depth + step as f32 * slope).max(low).min(high), ink);
+        });
+    }
+
+    /// Draws a pixel of an outline, if it is inside of the picture.
+    #[inline]
+    fn point(&mut self, vertex: Vertex, ink: Ink) {
+        let (x, y) = (i64::from(vertex.x), i64::from(vertex.y));
+        if (0..self.width).contains(&x) && (0..self.height).contains(&y) {
+            self.outline((y * self.width + x) as usize, vertex.depth, ink);
+        }
+    }
+
+    /// Draws a pixel of an outline where it is nearest or the cell's own fill is.
+    #[inline]
+    fn outline(&mut self, at: usize, depth: f32, ink: Ink) {
+        if let Some(pixel) = self.pixels.get_mut(at) {
+            let own = (pixel.0 ^ ink.0) & OWNER == 0;
+            let old = if own { Pixel(pixel.0 >> DEPTH << DEPTH | ink.0) } else { *pixel };
+            *pixel = ink.at(depth).max(old);
+        }
+    }
+}
+
+/// A side of a triangle as a function of the pixel: the area that it spans with it (twice), positive
+/// to the inner side.
+struct Side {
+    /// What one pixel to the right and one down add.
+    across: i64,
+    down: i64,
+    /// A corner on it.
+    x: i64,
+    y: i64,
+}
+
+impl Side {
+    #[inline]
+    fn new(from: Vertex, to: Vertex) -> Side {
+        let (across, down) = (i64::from(from.y - to.y), i64::from(to.x - from.x));
+        Side { across, down, x: i64::from(from.x), y: i64::from(from.y) }
+    }
+
+    #[inline]
+    fn weight(&self, x: i64, y: i64) -> i64 {
+        self.across * (x - self.x) + self.down * (y - self.y)
+    }
+}
+
+/// The steps to the right at which no weight is negative, of a row where the weights start so.
+fn narrowed(steps: std::ops::Range<i64>, sides: &[Side; 3], starts: [i64; 3]) -> std::ops::Range<i64> {
+    let (mut first, mut end) = (steps.start, steps.end);
+    for (side, start) in sides.iter().zip(starts) {
+        match side.across {
+            0 if start < 0 => end = first,
+            0 => {}
+            across if across > 0 => first = first.max(-start.div_euclid(across)),
+            across => end = end.min(start.div_euclid(-across) + 1),
+        }
+    }
+    // An empty row stays where the triangle is.
+    first.min(steps.end)..end.max(first.min(steps.end))
+}
+
+/// Twice the area of a triangle of the picture; its sign tells the direction around it.
+#[inline]
+fn turn(a: Vertex, b: Vertex, c: Vertex) -> i64 {
+    i64::from(b.x - a.x) * i64::from(c.y - a.y) - i64::from(b.y - a.y) * i64::from(c.x - a.x)
+}
+
+/// Whether corners lie within two by two pixels.
+#[inline]
+fn is_tiny(corners: &[Vertex; 4]) -> bool {
+    let [xs, ys] = [corners.map(|corner| corner.x), corners.map(|corner| corner.y)];
+    let extent = |[a, b, c, d]: [i32; 4]| a.max(b).max(c).max(d) - a.min(b).min(c).min(d);
+    extent(xs) <= 1 && extent(ys) <= 1
+}
