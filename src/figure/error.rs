@@ -70,9 +70,14 @@ impl fmt::Display for FigureError {
             }
             Self::NoTriangles => f.write_str("the surface has no area; its points must not all be the same"),
             Self::Single { value } => {
-                write!(f, "coordinate {value:e} is too large for .stl, which holds single precision; .ply and .obj hold it")
+                write!(
+                    f,
+                    "coordinate {value:e} is too large for .stl, which holds single precision; .ply and .obj hold it"
+                )
             }
-            Self::TooManyVertices => f.write_str("the mesh has more vertices than the format can count; take fewer steps"),
+            Self::TooManyVertices => {
+                f.write_str("the mesh has more vertices than the format can count; take fewer steps")
+            }
             Self::Degree { given, most } => write!(
                 f,
                 "the surface has the degree {given}, but CAD programs read at most {most}; a net of at most {} points a side, \

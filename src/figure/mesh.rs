@@ -6,7 +6,7 @@
 
 use super::FigureError;
 use super::number::Number;
-use crate::geometry::{Grid, Point};
+use crate::geometry::{BoundingBox, Grid, Point};
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -68,7 +68,9 @@ impl Mesh {
         for corner in triangles.iter_mut().flatten() {
             *corner = numbers.get(*corner).copied().flatten().unwrap_or(0);
         }
-        if triangles.is_empty() {
+        let extent = BoundingBox::of_points(&vertices).map_or([0.0; 3], |bounds| bounds.size());
+        let largest = vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if extent.iter().all(|&size| size <= ROUNDING * largest) {
             return Err(FigureError::NoTriangles);
         }
         Ok(Mesh { vertices, triangles })
@@ -207,23 +209,36 @@ fn merged(grid: &Grid) -> Vec<usize> {
         (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= ROUNDING * largest),
         _ => false,
     };
-    let pole_row =
-        |k: usize| !closed_u && (1..columns).all(|l| near(grid.point(k, 0), grid.point(k, l)));
-    let pole_column =
-        |l: usize| !closed_v && (1..rows).all(|k| near(grid.point(0, l), grid.point(k, l)));
+    let pole_row = |k: usize| !closed_u && (1..columns).all(|l| near(grid.point(k, 0), grid.point(k, l)));
+    let pole_column = |l: usize| !closed_v && (1..rows).all(|k| near(grid.point(0, l), grid.point(k, l)));
     let (last_row, last_column) = (rows.saturating_sub(1), columns.saturating_sub(1));
     let row_poles = [0, last_row].map(pole_row);
     let column_poles = [0, last_column].map(pole_column);
+    // Corners that poles make the same: corner 2 k + l is that of the first or last row and column.
+    let mut corners = [0, 1, 2, 3];
+    let mut unite = |a: usize, b: usize| {
+        let [a, b] = [corners[a], corners[b]];
+        corners.iter_mut().filter(|corner| **corner == a.max(b)).for_each(|corner| *corner = a.min(b));
+    };
+    for end in 0..2 {
+        if row_poles[end] {
+            unite(2 * end, 2 * end + 1);
+        }
+        if column_poles[end] {
+            unite(end, 2 + end);
+        }
+    }
     let target = |k: usize, l: usize| {
-        let mut k = if closed_u && k == last_row { 0 } else { k };
-        let mut l = if closed_v && l == last_column { 0 } else { l };
-        if (k == 0 && row_poles[0]) || (k == last_row && row_poles[1]) {
-            l = 0;
-        }
-        if (l == 0 && column_poles[0]) || (l == last_column && column_poles[1]) {
-            k = 0;
-        }
-        k * columns + l
+        let k = if closed_u && k == last_row { 0 } else { k };
+        let l = if closed_v && l == last_column { 0 } else { l };
+        // A grid of one line has its first border only.
+        let border = |at: usize, last: usize| if at == 0 { Some(0) } else { (at == last).then_some(1) };
+        let corner = match (border(k, last_row), border(l, last_column)) {
+            (Some(end), _) if row_poles[end] => corners[2 * end],
+            (_, Some(end)) if column_poles[end] => corners[end],
+            _ => return k * columns + l,
+        };
+        last_row * (corner / 2) * columns + last_column * (corner % 2)
     };
     (0..rows).flat_map(|k| (0..columns).map(move |l| (k, l))).map(|(k, l)| target(k, l)).collect()
 }
@@ -298,7 +313,8 @@ mod tests {
         let mut pinched = mesh.clone();
         let count = mesh.vertices.len();
         pinched.vertices.extend(mesh.vertices.iter().skip(1));
-        let other = mesh.triangles.iter().map(|corners| corners.map(|n| if n == 0 { 0 } else { n + count - 1 }));
+        let other =
+            mesh.triangles.iter().map(|corners| corners.map(|n| if n == 0 { 0 } else { n + count - 1 }));
         pinched.triangles.extend(other);
         assert_eq!(pinched.closed_characteristic(), None);
     }
@@ -324,7 +340,7 @@ mod tests {
         assert_eq!(ply.len() - end, 24 * vertices + 13 * triangles);
         let obj = mesh.to_obj();
         assert_eq!(obj.lines().filter(|line| line.starts_with("v ")).count(), vertices);
-        let huge = Mesh::from_grid(&grid([2, 2], [false; 2], |u, v| [1e99 * u, v, 0.0])).unwrap();
+        let huge = Mesh::from_grid(&grid([2, 2], [false; 2], |u, v| [1e99 * u, 1e99 * v, 0.0])).unwrap();
         assert_eq!(huge.to_stl(), Err(FigureError::Single { value: 1e99 }));
         assert!(huge.to_ply().is_ok() && huge.to_obj().contains("1e99"));
     }

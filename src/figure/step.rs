@@ -183,9 +183,9 @@ impl<'a> Face<'a> {
                 let corners = if across == 1 { [[0, end], [1, end]] } else { [[end, 0], [end, 1]] };
                 let [from, to] = corners.map(|[u, v]| corner(file, u, v));
                 let curve = self.curve(file, net, across, end);
-                edges[across][end] = from.zip(to).map(|(from, to)| {
-                    file.add(format_args!("EDGE_CURVE('',{from},{to},{curve},.T.)"))
-                });
+                edges[across][end] = from
+                    .zip(to)
+                    .map(|(from, to)| file.add(format_args!("EDGE_CURVE('',{from},{to},{curve},.T.)")));
             }
             if let Some(edge) = edges[across][end] {
                 oriented.push(file.add(format_args!("ORIENTED_EDGE('',*,*,{edge},{})", Flag(forward))));

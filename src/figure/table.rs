@@ -95,7 +95,8 @@ pub fn surface_csv(samples: impl Iterator<Item = SurfaceSample>) -> String {
 /// ```
 pub fn surface_json(samples: impl Iterator<Item = SurfaceSample>) -> String {
     let mut text = String::from("[");
-    for (index, SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] }) in samples.enumerate() {
+    for (index, SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] }) in samples.enumerate()
+    {
         let row = json!({ "i": i, "j": j, "u": u, "v": v, "x": x, "y": y, "z": z });
         let _ = write!(text, "{}{row}", if index == 0 { "\n" } else { ",\n" });
     }

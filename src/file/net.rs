@@ -140,10 +140,18 @@ impl NetKind {
     /// never draw as a point.
     fn screen(self, k: usize, l: usize, point: [f64; 3]) -> [i16; 2] {
         match self {
-            Self::Fhc if k < 2 && l < 2 => place_on_screen(View::from_direction(HERMITE_VIEW), point),
-            Self::Fhc => [0; 2],
-            Self::Zyp => place_on_screen(View::from_direction(TORUS_VIEW), point),
-            _ => place_on_screen(View::from_direction(VIEW), point),
+            Self::Fhc if k >= 2 || l >= 2 => [0; 2],
+            _ => place_on_screen(View::from_direction(self.view()), point),
+        }
+    }
+
+    /// The direction from the origin to the viewer at the start of the program that saves this kind.
+    #[must_use]
+    pub fn view(self) -> [f64; 3] {
+        match self {
+            Self::Fhc => HERMITE_VIEW,
+            Self::Zyp => TORUS_VIEW,
+            _ => VIEW,
         }
     }
 
