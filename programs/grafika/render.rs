@@ -153,11 +153,9 @@ impl Render {
             }
         }
         if self.points {
-            for (k, row) in surfaced.points().iter().enumerate() {
-                for (l, &point) in row.iter().enumerate() {
-                    let label = format!("{k},{l}");
-                    figure.disc(view.place(point), 4.0, Style::filled(POINT, EDGE), Some(label));
-                }
+            for ([k, l], point) in surfaced.discs() {
+                let label = format!("{k},{l}");
+                figure.disc(view.place(point), 4.0, Style::filled(POINT, EDGE), Some(label));
             }
         }
         Ok(figure)

@@ -134,8 +134,20 @@ impl Surfaced {
         along_u.chain(points.iter().map(|row| (row.clone(), closed_v))).collect()
     }
 
+    /// The control points with their numbers, a pole only once.
+    pub(crate) fn discs(&self) -> Vec<([usize; 2], Point<3>)> {
+        let points = self.points();
+        let sphere = topology(self.net.kind) == Topology::Sphere;
+        let last = points.first().map_or(0, |row| row.len().saturating_sub(1));
+        let numbered = points
+            .iter()
+            .enumerate()
+            .flat_map(|(k, row)| row.iter().enumerate().map(move |(l, &point)| ([k, l], point)));
+        numbered.filter(|&([k, l], _)| !(sphere && k > 0 && (l == 0 || l == last))).collect()
+    }
+
     /// The control points; of a Hermite matrix the corners, the rest being vectors.
-    pub(crate) fn points(&self) -> Vec<Vec<Point<3>>> {
+    fn points(&self) -> Vec<Vec<Point<3>>> {
         let shown = if self.scheme.is_some() { usize::MAX } else { 2 };
         self.net.points.iter().take(shown).map(|row| row.iter().take(shown).copied().collect()).collect()
     }
