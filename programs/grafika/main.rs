@@ -2,8 +2,24 @@
 
 #[path = "../biliard.rs"]
 mod biliard;
+#[path = "../csav_gy.rs"]
+mod csav_gy;
 #[path = "../eg_kz_k.rs"]
 mod eg_kz_k;
+#[path = "../f_em_spl.rs"]
+mod f_em_spl;
+#[path = "../f_p_bets.rs"]
+mod f_p_bets;
+#[path = "../f_p_bezr.rs"]
+mod f_p_bezr;
+#[path = "../f_p_bspl.rs"]
+mod f_p_bspl;
+#[path = "../f_p_herm.rs"]
+mod f_p_herm;
+#[path = "../f_p_hspl.rs"]
+mod f_p_hspl;
+#[path = "../f_p_spln.rs"]
+mod f_p_spln;
 #[path = "../gb_2d_bt.rs"]
 mod gb_2d_bt;
 #[path = "../gb_2d_ch.rs"]
@@ -22,6 +38,22 @@ mod gr_kz_o;
 mod gr_kz_x;
 #[path = "../vjs.rs"]
 mod vjs;
+#[path = "../zm_betsp.rs"]
+mod zm_betsp;
+#[path = "../zm_bspl.rs"]
+mod zm_bspl;
+#[path = "../zm_hspl.rs"]
+mod zm_hspl;
+#[path = "../zm_spln.rs"]
+mod zm_spln;
+#[path = "../zy_betsp.rs"]
+mod zy_betsp;
+#[path = "../zy_bspl.rs"]
+mod zy_bspl;
+#[path = "../zy_hspl.rs"]
+mod zy_hspl;
+#[path = "../zy_spln.rs"]
+mod zy_spln;
 
 mod convert;
 mod curve;
@@ -51,6 +83,22 @@ const PROGRAMS: &[Program] = &[
     gb_2d_bt::PROGRAM,
     gb_3d_ip::PROGRAM,
     gb_3d_bt::PROGRAM,
+    csav_gy::PROGRAM,
+    f_p_herm::PROGRAM,
+    f_p_spln::PROGRAM,
+    f_em_spl::PROGRAM,
+    f_p_bezr::PROGRAM,
+    f_p_bspl::PROGRAM,
+    f_p_bets::PROGRAM,
+    f_p_hspl::PROGRAM,
+    zm_spln::PROGRAM,
+    zm_bspl::PROGRAM,
+    zm_betsp::PROGRAM,
+    zm_hspl::PROGRAM,
+    zy_spln::PROGRAM,
+    zy_bspl::PROGRAM,
+    zy_betsp::PROGRAM,
+    zy_hspl::PROGRAM,
     biliard::PROGRAM,
 ];
 

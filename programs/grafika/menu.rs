@@ -22,9 +22,9 @@ pub(crate) const MENU: Program =
     Program { manual: MANUAL, chapter: "5", run: |machine, _| Box::pin(run(machine)), check: |_| Ok(()) };
 
 /// Upper edge of the first line of the list.
-const TOP: i32 = 120;
+const TOP: i32 = 88;
 /// Height of a line of the list.
-const LINE: i32 = 24;
+const LINE: i32 = 11;
 
 /// What the menu shows.
 struct Menu {
@@ -49,8 +49,8 @@ impl Picture for Menu {
             } else {
                 Color::LightGray
             };
-            screen.text(x1 + 8, y1 + 8, &program.manual.name.to_uppercase(), Color::Yellow);
-            screen.text(x1 + 96, y1 + 8, program.manual.about.of(language), ink);
+            screen.text(x1 + 8, y1 + 2, &program.manual.name.to_uppercase(), Color::Yellow);
+            screen.text(x1 + 96, y1 + 2, program.manual.about.of(language), ink);
         }
         let keys = Words(
             "Fel, Le, Enter: indítás   F1: súgó   F2: English   Q: vége",

@@ -27,6 +27,12 @@ pub trait Configuration: Picture {
     /// The format of the stored configurations.
     fn format(&self) -> Format;
 
+    /// The extension of the file that the configuration is saved in: the format's, unless that cannot hold
+    /// it.
+    fn extension(&self) -> &'static str {
+        self.format().extension()
+    }
+
     /// The edited value with its past.
     fn history(&mut self) -> &mut History<Self::Value>;
 
@@ -162,7 +168,7 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
 
 /// Asks for a name and saves; whether it was done.
 async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
-    let name = desk.file_name(&*state, state.format().extension(), Way::Save).await?;
+    let name = desk.file_name(&*state, state.extension(), Way::Save).await?;
     let Some(name) = name else { return Ok(false) };
     if desk.machine.storage().find(&name).is_some() && !desk.yes(&*state, words::exists(&name)).await? {
         return Ok(false);

@@ -14,6 +14,7 @@ pub mod fourier;
 mod history;
 mod keys;
 mod look;
+pub mod net;
 mod place;
 pub mod plane;
 mod points;

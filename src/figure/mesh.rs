@@ -40,7 +40,7 @@ impl Mesh {
 
     /// A closed mesh whose triangles go round clockwise as seen from outside.
     pub(super) fn is_inside_out(&self) -> bool {
-        self.volume() < 0.0 && self.closed_characteristic().is_some()
+        self.scaled_volume()[0] < 0.0 && self.closed_characteristic().is_some()
     }
 
     /// The mesh with the orientation of the grid.
@@ -124,15 +124,21 @@ impl Mesh {
     /// Infinite where no double holds it.
     #[must_use]
     pub fn volume(&self) -> f64 {
-        let Some(&origin) = self.vertices.first() else { return 0.0 };
-        let away = |p: &Point<3>| std::array::from_fn(|d| p[d] - origin[d]);
-        let size = self.vertices.iter().flat_map(|p| away(p)).fold(0.0_f64, |m, x: f64| m.max(x.abs()));
+        let [volume, size] = self.scaled_volume();
+        volume * size * size * size
+    }
+
+    /// The volume of the mesh made smaller or larger to the size of 1, and its own size.
+    fn scaled_volume(&self) -> [f64; 2] {
+        let origin = self.vertices.first().copied().unwrap_or([0.0; 3]);
+        let away = |p: &Point<3>| -> Point<3> { std::array::from_fn(|d| p[d] - origin[d]) };
+        let size = self.vertices.iter().flat_map(away).fold(0.0_f64, |m, x| m.max(x.abs()));
         if size == 0.0 {
-            return 0.0;
+            return [0.0; 2];
         }
         let at = |n: usize| self.vertices.get(n).map_or([0.0; 3], |p| away(p).map(|x| x / size));
         let tetrahedron = |&[a, b, c]: &[usize; 3]| dot(at(a), cross(at(b), at(c))) / 6.0;
-        self.triangles.iter().map(tetrahedron).sum::<f64>() * size * size * size
+        [self.triangles.iter().map(tetrahedron).sum(), size]
     }
 
     /// The mesh as Wavefront OBJ. Numbers read back as the same double.

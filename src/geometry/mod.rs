@@ -73,7 +73,8 @@ pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
-    BSplineSurface, Border, Derivatives, Grid, Patch, Rim, Scheme, Surface, SurfaceSample, Topology,
+    BSplineSurface, Border, Derivatives, Grid, Patch, Plane, RefineDirection, Rim, Scheme, Surface,
+    SurfaceSample, Topology, refine, section,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

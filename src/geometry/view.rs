@@ -76,6 +76,12 @@ impl View {
         self.elevation
     }
 
+    /// The direction towards the viewer, a unit vector.
+    #[must_use]
+    pub fn toward(&self) -> Point<3> {
+        self.toward
+    }
+
     /// Whether the axis z points down in the picture.
     #[must_use]
     pub fn upside_down(&self) -> bool {

@@ -41,13 +41,36 @@ impl Question {
         [Area::new(x + 40, y + 21, x + 104, y + 34), Area::new(x + 150, y + 21, x + 210, y + 34)]
     }
 
-    fn draw(&self, screen: &mut Screen, language: Language) {
+    /// The question as a page of choices.
+    pub(crate) fn choices(&self) -> Choices {
         let (x, y) = self.place;
+        let title = Caption { at: (x + 7, y + 8), text: self.title.clone(), color: Color::Black };
+        let answers = self.windows().into_iter().zip(self.answers).collect();
+        Choices { place: self.place, captions: vec![title], answers }
+    }
+}
+
+/// A page with some answers to choose from.
+#[derive(Clone, Debug)]
+pub struct Choices {
+    /// The page's upper left corner.
+    pub place: (i32, i32),
+    /// The texts on the page.
+    pub captions: Vec<Caption>,
+    /// The answers in their windows.
+    pub answers: Vec<(Area, Hot)>,
+}
+
+impl Choices {
+    /// Draws the page.
+    pub fn draw(&self, screen: &mut Screen, language: Language) {
         page(screen, self.place);
-        screen.text(x + 7, y + 8, self.title.of(language), Color::Black);
-        for (area, answer) in self.windows().into_iter().zip(self.answers) {
+        for caption in &self.captions {
+            screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
+        }
+        for &(area, answer) in &self.answers {
             window(screen, area);
-            hot_text(screen, area.x1 + 5, y + 24, answer, Color::White, language);
+            hot_text(screen, area.x1 + 5, area.y1 + 3, answer, Color::White, language);
         }
     }
 }
@@ -147,25 +170,30 @@ impl Desk<'_> {
     /// # Errors
     /// [`Quit`] when the display is being closed.
     pub async fn ask(&mut self, picture: &dyn Picture, question: &Question) -> Result<Option<Answer>, Quit> {
-        let windows = question.windows();
+        let chosen = self.choose(picture, &question.choices()).await?;
+        Ok(chosen.and_then(|index| [Answer::First, Answer::Second].get(index).copied()))
+    }
+
+    /// Lets one of several answers be chosen by its letter or a click, and gives its number; `None` is Esc.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn choose(&mut self, picture: &dyn Picture, choices: &Choices) -> Result<Option<usize>, Quit> {
         loop {
             let tick = self
                 .event(&|screen: &mut Screen, language: Language| {
                     picture.draw(screen, language);
-                    question.draw(screen, language);
+                    choices.draw(screen, language);
                 })
                 .await?;
             if tick.pressed(Key::Esc) {
                 return Ok(None);
             }
-            let chosen = |index: usize| {
-                tick.letter() == Some(question.answers[index].letter)
-                    || tick.click().is_some_and(|(x, y)| windows[index].holds(x, y))
-            };
-            for (index, answer) in [Answer::First, Answer::Second].into_iter().enumerate() {
-                if chosen(index) {
-                    return Ok(Some(answer));
-                }
+            let chosen = choices.answers.iter().position(|&(area, answer)| {
+                tick.letter() == Some(answer.letter) || tick.click().is_some_and(|(x, y)| area.holds(x, y))
+            });
+            if chosen.is_some() {
+                return Ok(chosen);
             }
         }
     }

@@ -12,7 +12,7 @@ mod lesson;
 mod notice;
 pub mod words;
 
-pub use ask::{Answer, Caption, Field, Form, MIDDLE, Number, Question, TOP, Way};
+pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, TOP, Way};
 pub use desk::{Desk, KeyHelp, Manual, Picture};
 pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};

@@ -1,7 +1,7 @@
 //! Every text that the user sees, in Hungarian and English. The hot letters are the same in both, so
 //! that scripts and habits work in either language.
 
-use crate::file::FileError;
+use crate::file::{FileError, Format};
 use crate::geometry::GeometryError;
 use crate::machine::{Language, StorageError, StorageProblem};
 use std::borrow::Cow;
@@ -265,6 +265,9 @@ pub(crate) const BIAS_BUTTON: Hot = hot('A', " - elt.", " - bias");
 pub(crate) const TENSION_BUTTON: Hot = hot('C', " - fesz", " - tens");
 pub(crate) const BIAS_ENTRY: Words = Words("Eltolás:", "Bias:");
 pub(crate) const TENSION_ENTRY: Words = Words("Feszültség:", "Tension:");
+pub(crate) const BIAS_NAME: Words = Words("Eltolás", "Bias");
+pub(crate) const TENSION_NAME: Words = Words("Feszültség", "Tension");
+pub(crate) const K0_NAME: Words = Words("k0", "k0");
 pub(crate) const BIAS_VALUE: Words = Words("Eltolás = ", "Bias = ");
 pub(crate) const TENSION_VALUE: Words = Words("Feszültség = ", "Tension = ");
 
@@ -302,10 +305,7 @@ pub(crate) const OUTSIDE_SPACE: Words = Words(
 
 /// The place of a point, counted from 1, as the line under the picture tells it.
 pub(crate) fn place_of(number: usize, place: [f64; 3]) -> Phrase {
-    // Adding zero makes a negative zero positive.
-    let [x, y, z] = place.map(|value| {
-        if value.abs() < 1e6 { format!("{:3.0}", value.round() + 0.0) } else { format!("{value:.2e}") }
-    });
+    let [x, y, z] = place.map(in_line);
     let line = |number_word: &str, place_word: &str| {
         format!("{number_word}: {number}   {place_word}: x = {x}   y = {y}   z = {z}")
     };
@@ -355,5 +355,114 @@ pub(crate) fn residuals(rms: f64, largest: f64, at: usize) -> Phrase {
     Phrase::new(
         format!("RMS {rms:.2}, max. {largest:.2} ({at}.)"),
         format!("RMS {rms:.2}, max. {largest:.2} (no. {at})"),
+    )
+}
+
+// The surface programs.
+pub(crate) const SURFACE: Hot = hot('F', "elület", "-surf.");
+pub(crate) const NET_QUIT: Hot = hot('Q', "- kilép", "- quit");
+pub(crate) const K0_BUTTON: Hot = hot('C', " - k0", " - k0");
+pub(crate) const ASK_DISPLAY: Words = Words("          Megjelenítés ?", "            Display ?");
+pub(crate) const WIRE: Hot = hot('D', "rótváz", "-wires");
+pub(crate) const FILLED: Hot = hot('T', "ele", "-filled");
+pub(crate) const ASK_DIRECTION: Words = Words("          Irány ?", "        Direction ?");
+pub(crate) const ALONG_U: Hot = hot('U', "", "");
+pub(crate) const ALONG_V: Hot = hot('V', "", "");
+pub(crate) const ASK_AXIS: Words = Words("Melyik tengely irányában ?", "In the direction of ?");
+pub(crate) const AXES: [Hot; 3] = [hot('X', "", ""), hot('Y', "", ""), hot('Z', "", "")];
+pub(crate) const WHAT_CHANGES: Words = Words("Mi változik ?", "What changes ?");
+pub(crate) const TANGENT_TITLE: Words = Words("Érintő", "Tangent");
+pub(crate) const TWIST: Hot = hot('T', "wist", "wist");
+pub(crate) const TANGENT_U: Hot = hot('U', " irány", " dir.");
+pub(crate) const TANGENT_V: Hot = hot('V', " irány", " dir.");
+pub(crate) const TANGENT_U_TITLE: Words = Words("Érintő-u", "Tangent-u");
+pub(crate) const TANGENT_V_TITLE: Words = Words("Érintő-v", "Tangent-v");
+pub(crate) const TWIST_TITLE: Words = Words("Twist", "Twist");
+pub(crate) const HEIGHT_TITLE: Words = Words("Magasság:", "Height:");
+pub(crate) const COEFFICIENT_ENTRY: Words = Words("Együttható:", "Coeff.:");
+pub(crate) const WIRE_LEGEND: Words = Words("D - drótváz", "D - wires");
+pub(crate) const FILLED_LEGEND: Words = Words("T - tele", "T - filled");
+pub(crate) const NO_SURFACE: Words = Words("Előbb felületet: F", "First a surface: F");
+pub(crate) const SURFACE_FOLLOWS: Words = Words("A felület követi a hálót", "The surface follows the net");
+pub(crate) const SURFACE_FOLLOWS_NOT: Words =
+    Words("A felület csak húzáskor követ", "The surface follows drags only");
+pub(crate) const BORDER_REACHED: Words = Words("A felület a peremig ér", "The surface ends at the border");
+pub(crate) const BORDER_DOUBLED: Words =
+    Words("A felület a perem előtt ér véget", "It stops before the border");
+pub(crate) const NO_FILES: Words = Words("Ez a program nem nyit meg filet", "this program opens no files");
+pub(crate) const HELP_END: Words = Words("vége", "end");
+pub(crate) const NOT_A_NET: Words =
+    Words("Ebben a fileban nincs kontrollháló", "This file holds no control net");
+pub(crate) const HELP_NET_CHANGE: Words =
+    Words("kontrollpont választása, új hely", "choose a control point, new place");
+pub(crate) const HELP_SURFACE: Words = Words("felület: drótváz vagy tele", "surface: wires or filled");
+pub(crate) const HELP_SURFACE_RESULT: Words =
+    Words("eredmény: a felület keret nélkül (D, T)", "result: the surface without the frame (D, T)");
+pub(crate) const HELP_NET_DRAG: Words =
+    Words("pont húzása; kattintás a térképre: V", "drag a point; click the map: V");
+pub(crate) const HELP_NET_FOLLOW: Words =
+    Words("a felület mindig látszik és követi a hálót", "the surface is always shown and follows");
+pub(crate) const HELP_BORDER: Words =
+    Words("B-spline a peremig és a pólusig, vagy előttük", "B-spline up to border and pole, or not");
+pub(crate) const HELP_INSPECT: Words =
+    Words("zebracsíkok, Gauss-görbület, semmi", "zebra stripes, Gaussian curvature, off");
+pub(crate) const HELP_SECTION: Words =
+    Words("síkmetszet x, y, z mentén; + - tolja", "plane section along x, y, z; + - move it");
+pub(crate) const HELP_MIRROR: Words = Words("a háló tükrözése", "mirror the net");
+pub(crate) const HELP_REFINE: Words =
+    Words("a háló finomítása, a felület ugyanaz", "a finer net with the same surface");
+pub(crate) const HELP_K0: Words =
+    Words("az érintők együtthatója, u és v", "coefficient of the tangents, u and v");
+pub(crate) const HELP_SHAPES: Words = Words("eltolás, feszültség, u és v", "bias, tension, u and v");
+pub(crate) const INSPECTIONS: [Words; 3] =
+    [Words("", ""), Words("zebracsíkok", "zebra stripes"), Words("Gauss-görbület", "Gaussian curvature")];
+
+/// What a coordinate looks like in the line under the picture.
+fn in_line(value: f64) -> String {
+    // Adding zero makes a negative zero positive.
+    if value.abs() < 1e6 { format!("{:3.0}", value.round() + 0.0) } else { format!("{value:.2e}") }
+}
+
+/// The line under the picture: a part of a control point of a net.
+pub(crate) fn part_of([k, l]: [usize; 2], name: Words, place: [f64; 3]) -> Phrase {
+    let [x, y, z] = place.map(in_line);
+    let line = |number: &str, name: &str| format!("{number}: {k}, {l} {name}: x = {x} y = {y} z = {z}");
+    Phrase::new(line("Sorszám", name.0), line("Number", name.1))
+}
+
+/// The line under the picture: a height.
+pub(crate) fn height_of([k, l]: [usize; 2], height: f64) -> Phrase {
+    let z = in_line(height);
+    Phrase::new(format!("Sorszám: {k}, {l} Magasság: z ={z}"), format!("Number: {k}, {l} Height: z ={z}"))
+}
+
+/// Why there is no surface. The rarer reasons have their sentence in English only.
+pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
+    let GeometryError::CriticalTension { bias, critical, .. } = error else { return plain(error) };
+    Phrase::new(
+        format!("{bias:.2} eltolásnál a {critical:.2} feszültség kritikus: nincs felület. Más kell: C"),
+        format!(
+            "With bias {bias:.2} the tension {critical:.2} is critical: there is no surface. Change it: C"
+        ),
+    )
+}
+
+/// A file holds a net of another kind.
+pub(crate) fn other_net(wanted: Format, found: Format) -> Phrase {
+    Phrase::new(
+        format!("Ez egy {found} háló; ide {wanted} való"),
+        format!("This is a net of a {found} file; a {wanted} net is needed"),
+    )
+}
+
+/// A net is too small, too large or too far away.
+pub(crate) fn net_size([rows, columns]: [usize; 2], [least_u, least_v]: [usize; 2], most: usize) -> Phrase {
+    Phrase::new(
+        format!(
+            "A háló {rows} x {columns} pont; {least_u} x {least_v} és {most} x {most} közötti kell, koordináták 1000000-ig"
+        ),
+        format!(
+            "The net has {rows} x {columns} points; {least_u} x {least_v} to {most} x {most} are needed, coordinates up to 1000000"
+        ),
     )
 }

@@ -7,12 +7,17 @@
 
 mod bspline;
 mod grid;
+mod normal;
 mod patch;
+mod refine;
+mod section;
 mod weave;
 
 pub use bspline::{BSplineSurface, Rim};
 pub use grid::Grid;
 pub use patch::{Derivatives, Patch};
+pub use refine::{RefineDirection, refine};
+pub use section::{Plane, section};
 
 use super::point::{check_count, check_points, within_limit};
 use super::{Bezier, BoundingBox, Closure, GeometryError, MAX_SAMPLES, Method, Point};
@@ -277,6 +282,19 @@ impl Surface {
             }
         }
         Ok(Grid::new(rows, columns, points, self.closed()))
+    }
+
+    /// The middles between the lines of [`Surface::grid`] in a direction (0 is `u`, 1 is `v`): span and
+    /// parameter, one less than there are lines.
+    #[must_use]
+    pub fn line_places(&self, direction: usize, per_cell: usize) -> Vec<(usize, f64)> {
+        let Some(direction) = self.directions.get(direction) else { return Vec::new() };
+        (0..direction.spans)
+            .flat_map(|span| {
+                let steps = direction.steps(span, per_cell);
+                (0..steps).map(move |step| (span, (step as f64 + 0.5) / steps as f64))
+            })
+            .collect()
     }
 
     /// The points of one line of constant `u`.

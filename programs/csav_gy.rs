@@ -1,0 +1,41 @@
+//! CSAV_GY: a twisted ring (3.9), to be looked at from all sides (chapter 3.1).
+
+use grafika::editor::net::{self, Show};
+use grafika::geometry::Grid;
+use grafika::launch::Program;
+use grafika::ui::{Manual, Words};
+use std::f64::consts::TAU;
+use std::process::ExitCode;
+
+const MANUAL: Manual = Manual {
+    name: "csav_gy",
+    about: Words("Csavart gyűrű minden oldalról", "A twisted ring from all sides"),
+    keys: net::SHOW_KEYS,
+    lesson: &[],
+};
+
+pub(crate) const PROGRAM: Program = Program {
+    manual: MANUAL,
+    chapter: "3.1",
+    run: |machine, _| {
+        Box::pin(net::show(machine, Show { manual: MANUAL, view: [0.3, 0.4, 0.2], grid: ring() }))
+    },
+    check: net::shows_nothing_else,
+};
+
+/// Lines around the ring and around its tube; the last of each is the first again.
+const LINES: [usize; 2] = [72, 36];
+
+/// The ring: a circle of radius 60 around a middle line that waves six times out and up (3.9).
+fn ring() -> Grid {
+    Grid::from_fn(LINES.map(|lines| lines + 1), [true; 2], |k, l| {
+        let (along, around) = (TAU * k as f64 / LINES[0] as f64, TAU * l as f64 / LINES[1] as f64);
+        let out = 160.0 + 20.0 * (6.0 * along).sin() + 60.0 * around.sin();
+        [out * along.cos(), out * along.sin(), 20.0 * (6.0 * along).cos() + 60.0 * around.cos()]
+    })
+}
+
+#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
+fn main() -> ExitCode {
+    PROGRAM.main()
+}

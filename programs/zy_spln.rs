@@ -1,0 +1,34 @@
+//! ZY_SPLN: spline surfaces closed like a ring (chapter 3.4). All of it is the surface editor.
+
+use grafika::editor::net::{self, Family, Plan, Start};
+use grafika::file::NetKind;
+use grafika::launch::Program;
+use grafika::ui::{Manual, Words};
+use std::process::ExitCode;
+
+const PLAN: Plan = Plan {
+    manual: Manual {
+        name: "zy_spln",
+        about: Words("Gyűrű topológiájú spline felület", "Spline surfaces closed like a ring"),
+        keys: net::FINER_KEYS,
+        lesson: &[],
+    },
+    kind: NetKind::Zys,
+    reads: &[],
+    family: Family::Spline,
+    start: Start::Torus(120.0, 40.0),
+    steps: 10,
+    view: net::VIEW,
+};
+
+pub(crate) const PROGRAM: Program = Program {
+    manual: PLAN.manual,
+    chapter: "3.4",
+    run: |machine, file| Box::pin(net::run(machine, PLAN, file)),
+    check: |document| net::check(&PLAN, document),
+};
+
+#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
+fn main() -> ExitCode {
+    PROGRAM.main()
+}

@@ -1,0 +1,158 @@
+//! What the surface editor asks: a control point by its two digits, a part of a Hermite patch, a direction,
+//! an axis, how the surface is drawn.
+
+use super::Editor;
+use super::model::{Index, Part};
+use super::plan::Degree;
+use super::surface::Display;
+use crate::machine::{Key, Language, Quit};
+use crate::screen::{Color, Screen};
+use crate::ui::words::{self, Words};
+use crate::ui::{
+    Answer, Area, Caption, Choices, Desk, Field, Form, MIDDLE, Number, Picture, Question, TOP, page, window,
+};
+
+/// The windows of the two digits.
+const DIGITS: [Area; 2] = [Area::new(360, 10, 383, 23), Area::new(360, 28, 383, 41)];
+
+impl Part {
+    /// What the page and the line under the picture call it.
+    pub(super) fn title(self) -> Words {
+        match self {
+            Part::Place => words::PLACE_3D,
+            Part::TangentU => words::TANGENT_U_TITLE,
+            Part::TangentV => words::TANGENT_V_TITLE,
+            Part::Twist => words::TWIST_TITLE,
+        }
+    }
+}
+
+impl Editor {
+    /// Asks for a control point: its two numbers, which are digits where the net is small; nothing for Esc.
+    pub(super) async fn ask_index(&self, desk: &mut Desk<'_>) -> Result<Option<Index>, Quit> {
+        let counts = self.history.now().choices(&self.plan);
+        if counts.iter().any(|&count| count > 10) {
+            return self.ask_large_index(desk, counts).await;
+        }
+        let mut digits: Vec<usize> = Vec::new();
+        while digits.len() < 2 {
+            let active = digits.len();
+            let tick = desk
+                .event(&|screen: &mut Screen, language: Language| {
+                    self.draw(screen, language);
+                    draw_digits(screen, &digits, language);
+                })
+                .await?;
+            if tick.pressed(Key::Esc) {
+                return Ok(None);
+            }
+            if let Some(index) = tick.click().and_then(|place| self.map().hit(place)) {
+                return Ok(Some(index));
+            }
+            let digit = tick.letter().and_then(|letter| letter.to_digit(10)).map(|digit| digit as usize);
+            digits.extend(digit.filter(|digit| counts.get(active).is_some_and(|count| digit < count)));
+        }
+        Ok(digits.try_into().ok())
+    }
+
+    async fn ask_large_index(&self, desk: &mut Desk<'_>, counts: [usize; 2]) -> Result<Option<Index>, Quit> {
+        let last = |direction: usize| i32::try_from(counts[direction].saturating_sub(1)).unwrap_or(i32::MAX);
+        let field = |direction: usize| Field {
+            area: DIGITS[direction],
+            at: (DIGITS[direction].x1 + 4, DIGITS[direction].y1 + 3),
+            longest: 2,
+            kind: Number::Whole(0..=last(direction)),
+        };
+        let captions = vec![
+            Caption::new((262, 26), words::NUMBER_ENTRY),
+            Caption::new((350, 12), Words("k", "k")),
+            Caption::new((350, 30), Words("l", "l")),
+        ];
+        let numbers = desk.numbers(self, &Form::new(captions, vec![field(0), field(1)])).await?;
+        Ok(numbers.and_then(|numbers| match numbers.as_slice() {
+            &[k, l] => Some([k as usize, l as usize]),
+            _ => None,
+        }))
+    }
+
+    /// Asks what of a Hermite patch's corner shall change; nothing for Esc.
+    pub(super) async fn ask_part(&self, desk: &mut Desk<'_>) -> Result<Option<Part>, Quit> {
+        let choices = Choices {
+            place: TOP,
+            captions: vec![
+                Caption::new((290, 6), words::WHAT_CHANGES),
+                Caption::new((310, 18), words::TANGENT_TITLE),
+            ],
+            answers: vec![
+                (Area::new(220, 15, 280, 28), words::PLACE),
+                (Area::new(375, 15, 435, 28), words::TWIST),
+                (Area::new(270, 31, 330, 44), words::TANGENT_U),
+                (Area::new(335, 31, 395, 44), words::TANGENT_V),
+            ],
+        };
+        let chosen = desk.choose(self, &choices).await?;
+        Ok(chosen.and_then(|index| Part::ALL.get(index).copied()))
+    }
+
+    /// Asks for the direction u (0) or v (1); nothing for Esc.
+    pub(super) async fn ask_direction(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
+        let question = Question::new(TOP, words::ASK_DIRECTION, [words::ALONG_U, words::ALONG_V]);
+        Ok(desk.ask(self, &question).await?.map(|answer| match answer {
+            Answer::First => 0,
+            Answer::Second => 1,
+        }))
+    }
+
+    /// Asks for an axis: x (0), y (1) or z (2); nothing for Esc.
+    pub(super) async fn ask_axis(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
+        let window = |index: i32| Area::new(250 + 60 * index, 26, 290 + 60 * index, 39);
+        let choices = Choices {
+            place: TOP,
+            captions: vec![Caption::new((224, 13), words::ASK_AXIS)],
+            answers: (0..).map(window).zip(words::AXES).collect(),
+        };
+        desk.choose(self, &choices).await
+    }
+
+    /// Asks for the degree and how the surface is drawn; nothing for Esc. The first page stays on the
+    /// screen under the second one.
+    pub(super) async fn ask_degree_and_display(
+        &self,
+        desk: &mut Desk<'_>,
+    ) -> Result<Option<(Degree, Display)>, Quit> {
+        let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
+        let Some(answer) = desk.ask(self, &question).await? else { return Ok(None) };
+        let degree = match answer {
+            Answer::First => Degree::Two,
+            Answer::Second => Degree::Three,
+        };
+        let page = question.choices();
+        let under = |screen: &mut Screen, language: Language| {
+            self.draw(screen, language);
+            page.draw(screen, language);
+        };
+        Ok(ask_display(desk, &under).await?.map(|display| (degree, display)))
+    }
+}
+
+/// Asks how the surface is drawn; nothing for Esc.
+pub(super) async fn ask_display(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Display>, Quit> {
+    let question = Question::new(TOP, words::ASK_DISPLAY, [words::WIRE, words::FILLED]);
+    Ok(desk.ask(picture, &question).await?.map(|answer| match answer {
+        Answer::First => Display::Wire,
+        Answer::Second => Display::Filled,
+    }))
+}
+
+fn draw_digits(screen: &mut Screen, digits: &[usize], language: Language) {
+    page(screen, TOP);
+    screen.text(262, 26, words::NUMBER_ENTRY.of(language), Color::Black);
+    for (index, (area, name)) in DIGITS.into_iter().zip(["k", "l"]).enumerate() {
+        let ink = if index == digits.len() { Color::LightRed } else { Color::Black };
+        screen.text(350, area.y1 + 2, name, ink);
+        window(screen, area);
+        if let Some(digit) = digits.get(index) {
+            screen.text(area.x1 + 8, area.y1 + 3, &digit.to_string(), Color::White);
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Looking closer at a surface: zebra stripes, which break where the surface does, its Gaussian curvature,
+//! and a section by a plane.
+
+use super::surface::{Drawn, draw_cells};
+use super::{Desk, Editor};
+use crate::editor::look::Look;
+use crate::geometry::{Plane, Point, Surface, section};
+use crate::machine::{Key, Tick};
+use crate::screen::{Color, Screen, Stroke};
+use crate::ui::words;
+
+/// What colours tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Inspection {
+    Off,
+    /// Isophotes: stripes of equal angle between the normal and the direction to the viewer.
+    Zebra,
+    /// Blue where the surface is a saddle, red where it is a dome, grey where it is flat.
+    Curvature,
+}
+
+impl Inspection {
+    fn next(self) -> Inspection {
+        match self {
+            Inspection::Off => Inspection::Zebra,
+            Inspection::Zebra => Inspection::Curvature,
+            Inspection::Curvature => Inspection::Off,
+        }
+    }
+}
+
+/// A plane across an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Section {
+    /// 0 is x, 1 is y, 2 is z.
+    axis: usize,
+    offset: f64,
+}
+
+/// How far + and - move the plane.
+const STEP: f64 = 10.0;
+/// Cells of a net's cell that colours are told by.
+const FINE: usize = 28;
+/// The fewest and most cells along a direction of the whole surface.
+const MOST_CELLS: usize = 400;
+/// Stripes from the middle of the surface to its rim.
+const STRIPES: f64 = 12.0;
+
+/// Colours of negative curvature from strong to weak, of none, and of positive curvature from weak to strong.
+const SADDLE: [Color; 4] = [Color::LightBlue, Color::Blue, Color::LightCyan, Color::Cyan];
+const FLAT: Color = Color::DarkGray;
+const DOME: [Color; 4] = [Color::Brown, Color::Yellow, Color::Red, Color::LightRed];
+
+impl Editor {
+    /// Switches inspection and section, and moves the plane. Whether the event was for that.
+    pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
+        match tick.key() {
+            Some(Key::F(5)) => {
+                self.inspection = self.inspection.next();
+                let [_, zebra, curvature] = words::INSPECTIONS;
+                match self.inspection {
+                    Inspection::Off => {}
+                    Inspection::Zebra => self.say(desk, zebra),
+                    Inspection::Curvature => self.say(desk, curvature),
+                }
+            }
+            Some(Key::F(6)) => {
+                self.section = match self.section {
+                    None => Some(Section { axis: 0, offset: 0.0 }),
+                    Some(Section { axis: 2, .. }) => None,
+                    Some(Section { axis, .. }) => Some(Section { axis: axis + 1, offset: 0.0 }),
+                };
+            }
+            Some(Key::Char(sign @ ('+' | '-'))) if self.section.is_some() => {
+                let step = if sign == '+' { STEP } else { -STEP };
+                self.section = self
+                    .section
+                    .map(|section| Section { offset: (section.offset + step).clamp(-1e6, 1e6), ..section });
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// The axis and the offset of the section in the corner of the picture.
+    pub(super) fn draw_section(&self, screen: &mut Screen, drawn: &Drawn, look: Look) {
+        let Some(Section { axis, offset }) = self.section else { return };
+        let mut normal = [0.0; 3];
+        normal[axis.min(2)] = 1.0;
+        let name = ["x", "y", "z"][axis.min(2)];
+        screen.text(560, 66, &format!("{name} = {offset}"), Color::Yellow);
+        let Ok(lines) = section(&drawn.surface, Plane { normal, offset }, self.plan.steps) else { return };
+        for line in lines {
+            let pixels: Vec<(i32, i32)> = line.into_iter().map(|point| look.to_screen(point)).collect();
+            screen.polyline(&pixels, Stroke::thick(Color::Yellow));
+        }
+    }
+
+    /// Draws the surface in colours; `false` if nothing is inspected.
+    pub(super) fn draw_inspected(&self, screen: &mut Screen, drawn: &Drawn, look: Look) -> bool {
+        let surface = &drawn.surface;
+        let [rows, columns] = surface.spans();
+        let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
+        let Ok(grid) = surface.grid(steps) else { return false };
+        let size = surface.bounding_box().map_or(1.0, |b| b.size().into_iter().fold(1e-9, f64::max));
+        let toward = look.view.toward();
+        let color: Box<dyn Fn(&Place<'_>) -> Color> = match self.inspection {
+            Inspection::Off => return false,
+            Inspection::Zebra => Box::new(move |place| place.zebra(toward)),
+            Inspection::Curvature => Box::new(move |place| place.curvature(size)),
+        };
+        let colors: Vec<Color> =
+            places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place)).collect();
+        draw_cells(screen, &grid, look, {
+            let next = std::cell::Cell::new(0);
+            move |_| {
+                let color = colors.get(next.get()).copied().unwrap_or(FLAT);
+                next.set(next.get() + 1);
+                (color, None)
+            }
+        });
+        true
+    }
+}
+
+/// The middle of a cell of a grid.
+struct Place<'s> {
+    surface: &'s Surface,
+    spans: [usize; 2],
+    parameters: [f64; 2],
+}
+
+/// The middles of all cells of a surface's grid, in the order of its cells.
+fn places(surface: &Surface, steps: usize, [rows, columns]: [usize; 2]) -> impl Iterator<Item = Place<'_>> {
+    let [u, v] = [surface.line_places(0, steps), surface.line_places(1, steps)];
+    (1..rows).flat_map(move |k| {
+        let (u, v) = (u.clone(), v.clone());
+        (1..columns).filter_map(move |l| {
+            let ((i, u), (j, v)) = (*u.get(k - 1)?, *v.get(l - 1)?);
+            Some(Place { surface, spans: [i, j], parameters: [u, v] })
+        })
+    })
+}
+
+impl Place<'_> {
+    fn zebra(&self, toward: Point<3>) -> Color {
+        let ([i, j], [u, v]) = (self.spans, self.parameters);
+        let Some(normal) = self.surface.normal(i, j, u, v) else {
+            return FLAT;
+        };
+        let cosine: f64 = normal.iter().zip(toward).map(|(a, b)| a * b).sum();
+        let angle = cosine.abs().min(1.0).acos();
+        if (angle * STRIPES) as i64 % 2 == 0 { Color::White } else { Color::Blue }
+    }
+
+    fn curvature(&self, size: f64) -> Color {
+        let ([i, j], [u, v]) = (self.spans, self.parameters);
+        let at = self.surface.derivatives(i, j, u, v);
+        let Some(curvature) = at.and_then(|at| at.gaussian_curvature()) else { return FLAT };
+        // A ball as large as the surface has curvature 4 in this unit.
+        let relative = curvature * size * size;
+        let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();
+        match strength {
+            0 => FLAT,
+            strength if relative > 0.0 => DOME[strength.min(4) - 1],
+            strength => SADDLE[4 - strength.min(4)],
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! The nets that the surface programs begin with (chapter 3): row k is the points of constant u.
+
+use crate::geometry::Point;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// The matrix of a Hermite patch: a flat square with its middle in the origin, all vectors zero.
+pub(super) fn square(side: f64) -> Vec<Vec<Point<3>>> {
+    let corner = |k: usize, l: usize| [k, l].map(|index| (index as f64 - 0.5) * side);
+    (0..4)
+        .map(|k| {
+            (0..4)
+                .map(|l| match (k, l) {
+                    (0 | 1, 0 | 1) => [corner(k, l)[0], corner(k, l)[1], 0.0],
+                    _ => [0.0; 3],
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// A flat grid with its middle in the origin.
+pub(super) fn plane([rows, columns]: [usize; 2], spacing: f64) -> Vec<Vec<Point<3>>> {
+    let place = |index: usize, count: usize| (index as f64 - (count - 1) as f64 / 2.0) * spacing;
+    (0..rows).map(|k| (0..columns).map(|l| [place(k, rows), place(l, columns), 0.0]).collect()).collect()
+}
+
+/// Meridians of a sphere, from pole to pole.
+pub(super) fn sphere([rows, columns]: [usize; 2], radius: f64) -> Vec<Vec<Point<3>>> {
+    let meridian = |k: usize| {
+        let (sin, cos) = (TAU * k as f64 / rows as f64).sin_cos();
+        (0..columns)
+            .map(|l| {
+                let from_pole = PI * l as f64 / (columns - 1) as f64;
+                // The sine of pi is not exactly zero, and the poles are one point.
+                let flat = if l == 0 || l + 1 == columns { 0.0 } else { radius * from_pole.sin() };
+                [flat * cos, flat * sin, radius * from_pole.cos()]
+            })
+            .collect()
+    };
+    (0..rows).map(meridian).collect()
+}
+
+/// Circles around the tube of a torus.
+pub(super) fn torus([rows, columns]: [usize; 2], ring: f64, tube: f64) -> Vec<Vec<Point<3>>> {
+    let circle = |k: usize| {
+        let (sin, cos) = (TAU * k as f64 / rows as f64).sin_cos();
+        (0..columns)
+            .map(|l| {
+                let around = TAU * l as f64 / columns as f64 + FRAC_PI_2;
+                let out = ring + tube * around.sin();
+                [out * cos, out * sin, tube * around.cos()]
+            })
+            .collect()
+    };
+    (0..rows).map(circle).collect()
+}

@@ -1,0 +1,139 @@
+//! What makes one surface program different from another: a plan of a few lines.
+
+use super::nets;
+use crate::file::NetKind;
+use crate::geometry::{Border, Method, Point, Scheme, Topology};
+use crate::ui::Manual;
+
+/// A surface program.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan {
+    /// What it says about itself.
+    pub manual: Manual,
+    /// What it stores its nets as; this decides the topology.
+    pub kind: NetKind,
+    /// What other kinds it reads too.
+    pub reads: &'static [NetKind],
+    /// How a surface follows the net.
+    pub family: Family,
+    /// The net of a new configuration.
+    pub start: Start,
+    /// Steps that a cell of the net is drawn in.
+    pub steps: usize,
+    /// From where the net is seen at first.
+    pub view: Point<3>,
+}
+
+/// The methods of a program, and what they can be shaped by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// The Hermite patch (3.17): corners, tangents and twists.
+    Hermite,
+    /// Cubic splines (3.20)-(3.22).
+    Spline,
+    /// Cubic splines over a fixed grid: only heights are changed.
+    Heights,
+    /// Local splines with a coefficient in each direction (3.61).
+    Local,
+    /// The Bézier patch (3.24).
+    Bezier,
+    /// Quadratic or cubic B-splines (3.25), (3.36).
+    BSpline,
+    /// Beta-splines with bias and tension in each direction (3.41).
+    Beta,
+}
+
+/// The net of a new configuration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// The matrix of a flat square with a side, all vectors zero.
+    Square(f64),
+    /// A flat grid in the plane of x and y with a spacing.
+    Plane(f64),
+    /// A sphere of a radius.
+    Sphere(f64),
+    /// A torus: radius of its middle line and of its tube.
+    Torus(f64, f64),
+}
+
+/// Directions of the surface programs' first views.
+pub const VIEW: Point<3> = [0.3, -0.7, 0.2];
+/// That of the Hermite patch.
+pub const HERMITE_VIEW: Point<3> = [0.4, -0.7, 0.2];
+/// That of the larger tori, from higher above.
+pub const TORUS_VIEW: Point<3> = [0.3, -0.7, 0.4];
+
+impl Plan {
+    /// The net of a new configuration, row by row.
+    pub(super) fn net(&self) -> Vec<Vec<Point<3>>> {
+        let shape = self.kind.shape();
+        match self.start {
+            Start::Square(side) => nets::square(side),
+            Start::Plane(spacing) => nets::plane(shape, spacing),
+            Start::Sphere(radius) => nets::sphere(shape, radius),
+            Start::Torus(ring, tube) => nets::torus(shape, ring, tube),
+        }
+    }
+
+    /// What the surface is joined by.
+    pub(super) fn topology(&self) -> Topology {
+        match self.kind {
+            NetKind::Zms | NetKind::Zmb => Topology::Sphere,
+            NetKind::Zys | NetKind::Zyb | NetKind::Zyp => Topology::Torus,
+            _ => Topology::Open,
+        }
+    }
+
+    /// Whether the rows and the points in them are joined in the picture of the net.
+    pub(super) fn closed(&self) -> [bool; 2] {
+        match self.topology() {
+            Topology::Open => [false, false],
+            Topology::Sphere => [true, false],
+            Topology::Torus => [true, true],
+        }
+    }
+
+    /// How the surface is woven with some shape; nothing for the Hermite patch, which is no matter of
+    /// weights.
+    pub(super) fn scheme(&self, form: &Form, degree: Degree, border: Border) -> Option<Scheme> {
+        let methods = match self.family {
+            Family::Hermite => return None,
+            Family::Spline | Family::Heights => [Method::Spline; 2],
+            Family::Local => form.k0.map(|k0| Method::Local { k0 }),
+            Family::Bezier => [Method::Bezier; 2],
+            Family::BSpline => [degree.method(); 2],
+            Family::Beta => [0, 1].map(|d| Method::Beta { bias: form.bias[d], tension: form.tension[d] }),
+        };
+        Some(Scheme { u: methods[0], v: methods[1], topology: self.topology(), border })
+    }
+}
+
+/// The degree of a B-spline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Degree {
+    Two,
+    Three,
+}
+
+impl Degree {
+    pub(super) fn method(self) -> Method {
+        match self {
+            Degree::Two => Method::BSpline2,
+            Degree::Three => Method::BSpline3,
+        }
+    }
+}
+
+/// The shape parameters, those of u before those of v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Form {
+    pub(super) bias: [f64; 2],
+    pub(super) tension: [f64; 2],
+    pub(super) k0: [f64; 2],
+}
+
+impl Default for Form {
+    fn default() -> Form {
+        Form { bias: [1.0; 2], tension: [0.0; 2], k0: [0.5; 2] }
+    }
+}

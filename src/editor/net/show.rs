@@ -1,0 +1,97 @@
+//! A surface that is only looked at: turned, zoomed, in wires or filled.
+
+use super::surface::{Display, Fill, draw_grid};
+use crate::editor::axes::draw_legend;
+use crate::editor::look::{Look, Poles, Viewer};
+use crate::file::Document;
+use crate::geometry::{Grid, Point};
+use crate::machine::{Key, Language, Machine, Quit};
+use crate::screen::{Color, Screen};
+use crate::ui::words::{self, Phrase};
+use crate::ui::{Desk, KeyHelp, Manual, Picture, Words};
+use serde::Serialize;
+
+/// A surface to be looked at.
+#[derive(Clone, Debug)]
+pub struct Show {
+    /// What the program says about itself.
+    pub manual: Manual,
+    /// The direction from which the surface is seen at first.
+    pub view: Point<3>,
+    /// The surface.
+    pub grid: Grid,
+}
+
+/// The keys for the help page.
+pub const SHOW_KEYS: &[KeyHelp] = &[
+    (Words("D T", "D T"), words::HELP_SURFACE),
+    super::TURN_KEYS,
+    super::TURN_DRAG,
+    super::ZOOM,
+    super::HOME,
+    (Words("Esc", "Esc"), words::HELP_END),
+];
+
+struct Shown {
+    grid: Grid,
+    viewer: Viewer,
+    display: Display,
+}
+
+#[derive(Serialize)]
+struct Dump {
+    filled: bool,
+    azimuth: f64,
+    elevation: f64,
+    zoom: f64,
+}
+
+impl Picture for Shown {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        screen.clear(Color::Black);
+        draw_grid(screen, &self.grid, self.viewer.look, (self.display, Fill::Plain), Color::White);
+        draw_legend(screen, language);
+        let other = match self.display {
+            Display::Wire => words::FILLED_LEGEND,
+            Display::Filled => words::WIRE_LEGEND,
+        };
+        screen.text(15, 102, other.of(language), Color::LightGray);
+    }
+}
+
+/// Shows a surface until Esc.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed.
+pub async fn show(machine: &mut Machine, show: Show) -> Result<(), Quit> {
+    let viewer = Viewer::new(Look::new(show.view, Poles::Cross));
+    let mut shown = Shown { grid: show.grid, viewer, display: Display::Wire };
+    let mut desk = Desk::new(machine, show.manual);
+    loop {
+        let view = shown.viewer.look.view;
+        desk.machine.publish(Dump {
+            filled: shown.display == Display::Filled,
+            azimuth: view.azimuth().to_degrees(),
+            elevation: view.elevation().to_degrees(),
+            zoom: shown.viewer.look.scale(),
+        });
+        let tick = desk.event(&shown).await?;
+        if shown.viewer.look_around(&tick) {
+            continue;
+        }
+        match tick.letter() {
+            Some('D') => shown.display = Display::Wire,
+            Some('T') => shown.display = Display::Filled,
+            _ if tick.pressed(Key::Esc) => return Ok(()),
+            _ => {}
+        }
+    }
+}
+
+/// A program that shows its own surface opens no file.
+///
+/// # Errors
+/// Always: the reason, in both languages.
+pub fn shows_nothing_else(_: &Document) -> Result<(), Phrase> {
+    Err(words::NO_FILES.into())
+}

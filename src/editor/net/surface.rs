@@ -1,0 +1,124 @@
+//! The surface in the picture: wires, or filled cells of which the nearest are seen.
+
+use super::Editor;
+use super::model::Model;
+use super::plan::Family;
+use crate::editor::look::Look;
+use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex};
+use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
+use crate::ui::words::{self, Phrase};
+
+/// How a surface is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Display {
+    /// All lines.
+    Wire,
+    /// Black cells with white edges that hide what is behind them.
+    Filled,
+}
+
+/// A surface with the points that it is drawn by.
+#[derive(Clone, Debug)]
+pub(super) struct Drawn {
+    pub(super) surface: Surface,
+    pub(super) grid: Grid,
+}
+
+/// What the cells are filled with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fill {
+    /// Both sides alike.
+    Plain,
+    /// The lower side in grey.
+    Sides,
+}
+
+impl Editor {
+    /// The surface of a model; else why there is none.
+    pub(super) fn draw_up(&self, model: &Model) -> Result<Drawn, Phrase> {
+        let surface = model.surface(&self.plan, self.degree).map_err(|error| words::no_surface(&error))?;
+        let [rows, columns] = model.shape();
+        // Large nets are drawn in larger steps, to keep the picture quick and readable.
+        let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
+        let grid = surface.grid(steps).map_err(|error| words::no_surface(&error))?;
+        Ok(Drawn { surface, grid })
+    }
+
+    pub(super) fn fill(&self) -> Fill {
+        if self.plan.family == Family::Heights { Fill::Sides } else { Fill::Plain }
+    }
+
+    /// How the surface is drawn now; heights have no wires.
+    pub(super) fn display_now(&self) -> Display {
+        if self.plan.family == Family::Heights { Display::Filled } else { self.display }
+    }
+}
+
+/// Draws the points of a grid.
+pub(crate) fn draw_grid(
+    screen: &mut Screen,
+    grid: &Grid,
+    look: Look,
+    (display, fill): (Display, Fill),
+    ink: Color,
+) {
+    match display {
+        Display::Wire => draw_wires(screen, grid, look, ink),
+        Display::Filled => draw_cells(screen, grid, look, |corners| match fill {
+            Fill::Sides if below(corners) => (Color::LightGray, Some(ink)),
+            Fill::Sides | Fill::Plain => (Color::Black, Some(ink)),
+        }),
+    }
+}
+
+fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
+    let pixels: Vec<(i32, i32)> = grid.points().iter().map(|&point| look.to_screen(point)).collect();
+    let stroke = Stroke::thin(ink);
+    for row in pixels.chunks(grid.columns()) {
+        screen.polyline(row, stroke);
+    }
+    for l in 0..grid.columns() {
+        let column: Vec<(i32, i32)> = pixels.iter().skip(l).step_by(grid.columns()).copied().collect();
+        screen.polyline(&column, stroke);
+    }
+}
+
+/// Draws the cells of a grid with the fill and edge that each has by its corners.
+pub(super) fn draw_cells(
+    screen: &mut Screen,
+    grid: &Grid,
+    look: Look,
+    inks: impl Fn(&[Vertex; 4]) -> (Color, Option<Color>),
+) {
+    let mut buffer = DepthBuffer::new(WIDTH as usize, HEIGHT as usize);
+    let vertices: Vec<Vertex> = grid.points().iter().map(|&point| vertex(look, point)).collect();
+    for cell in grid.cells() {
+        // The indices are those of the grid's points.
+        let corners = cell.map(|index| vertices.get(index).copied().unwrap_or_default());
+        let (fill, edge) = inks(&corners);
+        buffer.cell(&corners, fill as u8, edge.map(|edge| edge as u8));
+    }
+    show(screen, &buffer);
+}
+
+fn vertex(look: Look, point: Point<3>) -> Vertex {
+    let (x, y) = look.to_screen(point);
+    Vertex { x, y, depth: look.view.depth(point) as f32 }
+}
+
+/// Whether a cell of heights shows its lower side: its corners then turn the other way.
+fn below(corners: &[Vertex; 4]) -> bool {
+    let [a, b, c, d] = corners.map(|corner| (f64::from(corner.x), f64::from(corner.y)));
+    (c.0 - a.0) * (d.1 - b.1) - (c.1 - a.1) * (d.0 - b.0) < 0.0
+}
+
+/// Puts what a depth buffer shows onto the screen.
+fn show(screen: &mut Screen, buffer: &DepthBuffer) {
+    for (y, row) in (0..).zip(buffer.rows().map(|(_, row)| row)) {
+        for (x, pixel) in (0..).zip(row) {
+            if let Some(color) = pixel.color().and_then(|number| Color::ALL.get(usize::from(number))) {
+                screen.set(x, y, *color);
+            }
+        }
+    }
+}
