@@ -69,7 +69,7 @@ impl SurfaceArgs {
     /// The surface of a net; `name` is that of its file.
     pub(crate) fn surface(&self, name: &str, net: &Net, common: Common) -> Result<Surfaced, Failure> {
         let failure = |error: GeometryError| Failure::work(format!("{name}: {error}"));
-        let topology = topology(net.kind);
+        let topology = net.kind.topology();
         let method = method_of(net, common.method)?;
         let border = if self.extended { Border::Reached } else { Border::Doubled };
         if self.extended && (method != MethodName::BSpline3 || topology == Topology::Torus) {
@@ -124,7 +124,7 @@ impl Surfaced {
     pub(crate) fn polygons(&self) -> Vec<(Vec<Point<3>>, bool)> {
         let points = self.points();
         let columns = points.first().map_or(0, Vec::len);
-        let [closed_u, closed_v] = match topology(self.net.kind) {
+        let [closed_u, closed_v] = match self.net.kind.topology() {
             Topology::Open => [false, false],
             Topology::Sphere => [true, false],
             Topology::Torus => [true, true],
@@ -137,7 +137,7 @@ impl Surfaced {
     /// The control points with their numbers, a pole only once.
     pub(crate) fn discs(&self) -> Vec<([usize; 2], Point<3>)> {
         let points = self.points();
-        let sphere = topology(self.net.kind) == Topology::Sphere;
+        let sphere = self.net.kind.topology() == Topology::Sphere;
         let last = points.first().map_or(0, |row| row.len().saturating_sub(1));
         let numbered = points
             .iter()
@@ -150,15 +150,6 @@ impl Surfaced {
     fn points(&self) -> Vec<Vec<Point<3>>> {
         let shown = if self.scheme.is_some() { usize::MAX } else { 2 };
         self.net.points.iter().take(shown).map(|row| row.iter().take(shown).copied().collect()).collect()
-    }
-}
-
-/// What the surface of a kind of net is joined by.
-fn topology(kind: NetKind) -> Topology {
-    match kind {
-        NetKind::Fhc | NetKind::Fps | NetKind::Fem | NetKind::Fpb | NetKind::Fbs => Topology::Open,
-        NetKind::Zms | NetKind::Zmb => Topology::Sphere,
-        NetKind::Zys | NetKind::Zyb | NetKind::Zyp => Topology::Torus,
     }
 }
 

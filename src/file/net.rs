@@ -7,7 +7,7 @@ use super::check::{self, Bounds};
 use super::format::a_file;
 use super::space::place_on_screen;
 use super::{FileError, Format, NetSettings, settings};
-use crate::geometry::View;
+use crate::geometry::{Topology, View};
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
 
@@ -142,6 +142,16 @@ impl NetKind {
         match self {
             Self::Fhc if k >= 2 || l >= 2 => [0; 2],
             _ => place_on_screen(View::from_direction(self.view()), point),
+        }
+    }
+
+    /// What the surface of such a net is joined to itself by.
+    #[must_use]
+    pub fn topology(self) -> Topology {
+        match self.family() {
+            Family::Hermite | Family::Open | Family::Heights | Family::Bezier => Topology::Open,
+            Family::Sphere => Topology::Sphere,
+            Family::Torus => Topology::Torus,
         }
     }
 
