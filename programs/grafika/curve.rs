@@ -1,5 +1,7 @@
-//! The curve that `sample` and `render` are asked for: a file with a method and its parameters.
+//! The curve that `sample` and `render` are asked for: a file with a method and its parameters. A file with a
+//! net gives a [`Surfaced`].
 
+use crate::surface::{Common, SurfaceArgs, Surfaced};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::editor::fourier;
@@ -19,7 +21,7 @@ pub(crate) struct CurveArgs {
     /// Join the last point to the first
     #[arg(long)]
     closed: bool,
-    /// Coefficient of the tangents of coons and local [default: 0.5]
+    /// Coefficient of the tangents of coons and local, of surfaces along u and v [default: 0.5]
     #[arg(long, allow_negative_numbers = true)]
     k0: Option<f64>,
     /// Bias of a beta-spline [default: 1]
@@ -28,9 +30,11 @@ pub(crate) struct CurveArgs {
     /// Tension of a beta-spline, half of Barsky's [default: 0]
     #[arg(long, allow_negative_numbers = true)]
     tension: Option<f64>,
+    #[command(flatten)]
+    surface: SurfaceArgs,
 }
 
-/// A curve with what it is made of.
+/// A curve or a surface with what it is made of.
 pub(crate) enum Curved {
     /// By control points of the plane.
     Plane(Vec<Point<2>>, Curve<2>),
@@ -40,14 +44,30 @@ pub(crate) enum Curved {
     Space(Vec<Point<3>>, Curve<3>),
     /// By Fourier coefficients, in one span.
     Fourier(Fourier<2>),
+    /// By a control net: a surface.
+    Surface(Box<Surfaced>),
 }
 
 impl CurveArgs {
-    /// Opens the file and makes the curve that it describes.
+    /// Opens the file and makes the curve or surface that it describes.
     pub(crate) fn curve(&self) -> Result<Curved, Failure> {
         let opened = open(&self.file)?;
         let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
+        let is_net = matches!(opened.document, Document::Net(_));
+        if let Some(option) = self.surface.given().filter(|_| !is_net) {
+            return Err(Failure::usage(format!("{option} is for surfaces; {} holds none", opened.name)));
+        }
         match &opened.document {
+            Document::Net(net) if self.closed => Err(Failure::usage(format!(
+                "--closed is for curves; what a surface is joined by, its extension says, here .{}",
+                net.kind.format().extension()
+            ))),
+            Document::Net(net) => {
+                let (k0, bias, tension) = (self.k0, self.bias, self.tension);
+                let common = Common { method: self.named(), k0, bias, tension };
+                let surface = self.surface.surface(&opened.name, net, common)?;
+                Ok(Curved::Surface(Box::new(surface)))
+            }
             Document::Fourier(coefficients) => {
                 self.refuse_other_than(MethodName::Fourier, &opened)?;
                 fourier::curve(coefficients).map(Curved::Fourier).map_err(failure)
@@ -62,7 +82,7 @@ impl CurveArgs {
                 Ok(Curved::Space(space.points.clone(), curve))
             }
             _ => Err(Failure::work(format!(
-                "{}: this file holds no curve; .IP2, .IC2, .IP3 and .GBP do",
+                "{}: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP and the nets .FHC to .ZYP do",
                 opened.name
             ))),
         }

@@ -61,6 +61,7 @@ mod menu;
 mod render;
 mod sample;
 mod smooth;
+mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -120,9 +121,9 @@ enum Command {
         /// A data file or a built-in sample
         file: PathBuf,
     },
-    /// Write points of a curve as CSV or JSON
+    /// Write points of a curve or a surface as CSV or JSON
     Sample(sample::Sample),
-    /// Draw a curve as PNG or SVG
+    /// Draw a curve or a surface as PNG or SVG; write a surface as OBJ, STL, PLY or STEP
     Render(render::Render),
     /// Convert a data file into another format, by the extensions
     Convert(convert::Convert),

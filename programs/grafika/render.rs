@@ -1,9 +1,12 @@
-//! `grafika render`: a picture of a curve as PNG or SVG.
+//! `grafika render`: a picture of a curve or a surface as PNG or SVG, or a surface as a model.
 
 use crate::curve::{CurveArgs, Curved};
-use crate::sample::extension;
+use crate::sample::{SURFACE_STEPS, extension};
+use crate::surface::Surfaced;
 use clap::Args;
-use grafika::figure::{Figure, LARGEST_WIDTH, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
+use grafika::figure::{
+    Figure, LARGEST_WIDTH, Mesh, NOMINAL_WIDTH, SMALLEST_WIDTH, Style, surface_step, visible_lines,
+};
 use grafika::file::SPACE_VIEW;
 use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, View};
 use grafika::launch::{Failure, write_output};
@@ -15,6 +18,9 @@ const TOLERANCE: f64 = 1e-7;
 /// The same by the largest coordinate; doubles keep no less.
 const LEAST_TOLERANCE: f64 = 1e-11;
 
+/// Width of the lines of a wire frame in nominal pixels.
+const WIRE_WIDTH: f64 = 1.0;
+
 const CURVE: [u8; 3] = [0, 0, 170];
 const POLYGON: [u8; 3] = [130, 130, 130];
 const POINT: [u8; 3] = [255, 255, 255];
@@ -25,7 +31,7 @@ const EDGE: [u8; 3] = [170, 0, 0];
 pub(crate) struct Render {
     #[command(flatten)]
     curve: CurveArgs,
-    /// Where to write; .png or .svg
+    /// Where to write: a picture .png or .svg, a surface as a mesh .obj .stl .ply or exactly .step
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Width of the picture in pixels
@@ -38,10 +44,13 @@ pub(crate) struct Render {
     /// Show the control polygon
     #[arg(long)]
     polygon: bool,
-    /// Title above the picture
+    /// Title above the picture, or name of the part in .step
     #[arg(long)]
     title: Option<String>,
-    /// Direction from which a space curve is seen [default: 0.7,0.2,0.3]
+    /// Steps a cell of a surface's net [default: 10]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    per_span: Option<u32>,
+    /// Direction from which a space curve or a surface is seen [default: that of the book's programs]
     #[arg(long, value_name = "A,B,C", value_parser = direction, allow_hyphen_values = true)]
     view: Option<Point<3>>,
 }
@@ -51,8 +60,20 @@ impl Render {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let format = Format::of(&self.output)?;
         let curved = self.curve.curve()?;
+        if let Curved::Surface(surfaced) = &curved {
+            return write_output(Some(&self.output), &self.surface(surfaced, format)?);
+        }
+        if format.is_model() {
+            let message = "models are of surfaces; a curve is drawn as .png or .svg";
+            return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
+        }
+        if self.per_span.is_some() {
+            return Err(Failure::usage("--per-span is for surfaces; curves are drawn exactly"));
+        }
         if self.view.is_some() && !matches!(curved, Curved::Space(..)) {
-            return Err(Failure::usage("--view is for space curves; this file holds a curve of the plane"));
+            return Err(Failure::usage(
+                "--view is for space curves and surfaces; this file holds a curve of the plane",
+            ));
         }
         let figure = match curved {
             Curved::Plane(points, curve) => {
@@ -75,20 +96,82 @@ impl Render {
                 let arcs = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(|p| view.place(p)) });
                 self.figure(&points, arcs.collect())
             }
+            // Written above.
+            Curved::Surface(_) => return Ok(()),
         };
-        let content = match format {
-            Format::Png => figure.to_png(self.width),
-            Format::Svg => figure.to_svg_of_width(self.width).map(String::into_bytes),
-        };
-        write_output(Some(&self.output), &content.map_err(Failure::work)?)
+        write_output(Some(&self.output), &self.picture(&figure, format)?)
     }
 
-    fn figure(&self, points: &[Point<2>], arcs: Vec<CubicBezier<2>>) -> Figure {
-        let closure = closure(&arcs);
+    fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {
+        let content = match format {
+            Format::Svg => figure.to_svg_of_width(self.width).map(String::into_bytes),
+            _ => figure.to_png(self.width),
+        };
+        content.map_err(Failure::work)
+    }
+
+    /// A surface in any format.
+    fn surface(&self, surfaced: &Surfaced, format: Format) -> Result<Vec<u8>, Failure> {
+        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        if !format.is_model() {
+            return self.picture(&self.wireframe(surfaced, steps)?, format);
+        }
+        let unused =
+            [("--view", self.view.is_some()), ("--points", self.points), ("--polygon", self.polygon)];
+        if let Some((option, _)) = unused.into_iter().find(|(_, given)| *given) {
+            return Err(Failure::usage(format!("{option} is for pictures; models have no such thing")));
+        }
+        let surface = surfaced.solid().map_err(Failure::work)?;
+        if matches!(format, Format::Step) {
+            let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
+            return surface_step(&surface, &name.unwrap_or_default())
+                .map(String::into_bytes)
+                .map_err(Failure::work);
+        }
+        let mesh = Mesh::from_grid(&surface.grid(steps).map_err(Failure::work)?).map_err(Failure::work)?;
+        let content = match format {
+            Format::Obj => Ok(mesh.to_obj().into_bytes()),
+            Format::Stl => mesh.to_stl(),
+            _ => mesh.to_ply(),
+        };
+        content.map_err(Failure::work)
+    }
+
+    /// The visible lines of a surface, with its net over them.
+    fn wireframe(&self, surfaced: &Surfaced, steps: usize) -> Result<Figure, Failure> {
+        let view = View::from_direction(self.view.unwrap_or(surfaced.net.kind.view()));
+        let grid = surfaced.surface.grid(steps).map_err(Failure::work)?;
+        let mut figure = self.titled();
+        for line in visible_lines(&grid, &view) {
+            figure.polyline(line, Closure::Open, Style::line(CURVE, WIRE_WIDTH));
+        }
+        if self.polygon {
+            for (line, closed) in surfaced.polygons() {
+                let line = line.iter().map(|&point| view.place(point)).collect();
+                let closure = if closed { Closure::Closed } else { Closure::Open };
+                figure.polyline(line, closure, Style::line(POLYGON, 1.0).dashed(5.0, 4.0));
+            }
+        }
+        if self.points {
+            for ([k, l], point) in surfaced.discs() {
+                let label = format!("{k},{l}");
+                figure.disc(view.place(point), 4.0, Style::filled(POINT, EDGE), Some(label));
+            }
+        }
+        Ok(figure)
+    }
+
+    fn titled(&self) -> Figure {
         let mut figure = Figure::new();
         if let Some(title) = &self.title {
             figure.set_title(title);
         }
+        figure
+    }
+
+    fn figure(&self, points: &[Point<2>], arcs: Vec<CubicBezier<2>>) -> Figure {
+        let closure = closure(&arcs);
+        let mut figure = self.titled();
         if self.polygon {
             figure.polyline(points.to_vec(), closure, Style::line(POLYGON, 1.0).dashed(5.0, 4.0));
         }
@@ -119,9 +202,14 @@ fn closure(arcs: &[CubicBezier<2>]) -> Closure {
 }
 
 /// What is written, by the extension.
+#[derive(Clone, Copy)]
 enum Format {
     Png,
     Svg,
+    Obj,
+    Stl,
+    Ply,
+    Step,
 }
 
 impl Format {
@@ -129,8 +217,19 @@ impl Format {
         match extension(Some(path)).as_deref() {
             Some("png") => Ok(Format::Png),
             Some("svg") => Ok(Format::Svg),
-            _ => Err(Failure::usage(format!("-o {}: pictures are written as .png or .svg", path.display()))),
+            Some("obj") => Ok(Format::Obj),
+            Some("stl") => Ok(Format::Stl),
+            Some("ply") => Ok(Format::Ply),
+            Some("step" | "stp") => Ok(Format::Step),
+            _ => Err(Failure::usage(format!(
+                "-o {}: pictures are written as .png or .svg, surfaces also as .obj .stl .ply .step",
+                path.display()
+            ))),
         }
+    }
+
+    fn is_model(self) -> bool {
+        !matches!(self, Format::Png | Format::Svg)
     }
 }
 

@@ -1,20 +1,23 @@
-//! `grafika sample`: points of a curve as CSV or JSON.
+//! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
 use crate::curve::{CurveArgs, Curved};
 use clap::Args;
-use grafika::figure::{curve_csv, curve_json};
-use grafika::geometry::{GeometryError, Sample as Place};
+use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
+use grafika::geometry::{GeometryError, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, write_output};
 use std::path::PathBuf;
+
+/// Steps a span of a surface, as most programs of the book draw them.
+pub(crate) const SURFACE_STEPS: u32 = 10;
 
 /// The command line of `grafika sample`.
 #[derive(Args)]
 pub(crate) struct Sample {
     #[command(flatten)]
     curve: CurveArgs,
-    /// Steps a span: u = 0, 1/N, ... 1
-    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
-    per_span: u32,
+    /// Steps a span: u = 0, 1/N, ... 1 [default: 50, of surfaces 10 in either direction]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    per_span: Option<u32>,
     /// Where to write; .csv or .json [default: CSV on standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
@@ -23,12 +26,17 @@ pub(crate) struct Sample {
 impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let steps = self.per_span as usize;
+        let steps = self.per_span.unwrap_or(50) as usize;
         let text = match self.curve.curve()? {
             Curved::Plane(_, curve) => self.text(curve.sample(steps)),
             Curved::Varying(_, curve) => self.text(curve.sample(steps)),
             Curved::Space(_, curve) => self.text(curve.sample(steps)),
             Curved::Fourier(curve) => self.text(curve.sample(steps)),
+            Curved::Surface(surfaced) => {
+                let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+                let samples: Vec<SurfaceSample> = surfaced.surface.sample(steps).map_err(Failure::work)?;
+                self.table(samples.into_iter(), surface_csv, surface_json)
+            }
         }?;
         write_output(self.output.as_deref(), text.as_bytes())
     }
@@ -36,9 +44,14 @@ impl Sample {
     fn text<const D: usize>(&self, samples: Result<Vec<Place<D>>, GeometryError>) -> Result<String, Failure> {
         let samples = samples.map_err(Failure::work)?;
         let rows = samples.iter().map(|sample| (sample.span, sample.u, sample.point));
+        self.table(rows, curve_csv, curve_json)
+    }
+
+    /// The rows in the format of the output.
+    fn table<I>(&self, rows: I, csv: fn(I) -> String, json: fn(I) -> String) -> Result<String, Failure> {
         match extension(self.output.as_deref()).as_deref() {
-            None | Some("csv") => Ok(curve_csv(rows)),
-            Some("json") => Ok(curve_json(rows)),
+            None | Some("csv") => Ok(csv(rows)),
+            Some("json") => Ok(json(rows)),
             Some(other) => {
                 Err(Failure::usage(format!("-o: samples are written as .csv or .json, not .{other}")))
             }

@@ -33,6 +33,22 @@ pub enum FigureError {
         /// Pixels at most.
         most: u32,
     },
+    /// All points of a mesh are the same or on a line of the grid, so that no triangle is left.
+    NoTriangles,
+    /// A coordinate does not fit into the single precision of STL.
+    Single {
+        /// The coordinate.
+        value: f64,
+    },
+    /// More vertices or triangles than the format can count.
+    TooManyVertices,
+    /// A surface whose degree is higher than CAD programs read.
+    Degree {
+        /// The degree.
+        given: usize,
+        /// The highest that is written.
+        most: usize,
+    },
     /// The font or the PNG encoder refused; its own words.
     Encoding(String),
 }
@@ -52,6 +68,22 @@ impl fmt::Display for FigureError {
             Self::Width { given, least, most } => {
                 write!(f, "a picture {given} pixels wide; must be {least} to {most}")
             }
+            Self::NoTriangles => f.write_str("the surface has no area; its points must not all be the same"),
+            Self::Single { value } => {
+                write!(
+                    f,
+                    "coordinate {value:e} is too large for .stl, which holds single precision; .ply and .obj hold it"
+                )
+            }
+            Self::TooManyVertices => {
+                f.write_str("the mesh has more vertices than the format can count; take fewer steps")
+            }
+            Self::Degree { given, most } => write!(
+                f,
+                "the surface has the degree {given}, but CAD programs read at most {most}; a net of at most {} points a side, \
+                 or another method than bezier, can be written",
+                most + 1
+            ),
             Self::Encoding(message) => write!(f, "the picture cannot be encoded: {message}"),
         }
     }

@@ -1,5 +1,6 @@
-//! Pictures and tables for other programs: the screen as a PNG, curves with their control points as
-//! SVG or PNG, sampled curves as CSV or JSON.
+//! Pictures, tables and models for other programs: the screen as a PNG, curves and surfaces with their
+//! control points as SVG or PNG, samples of them as CSV or JSON, surfaces as meshes (OBJ, STL, PLY) and
+//! exactly (STEP).
 //!
 //! A [`Figure`] is a picture in world coordinates, built once and written in either format. Everything
 //! here is values in, bytes or text out: no files, no screen modes, no choice of what to draw.
@@ -27,14 +28,20 @@
 
 mod error;
 mod layout;
+mod mesh;
 mod number;
 mod picture;
 mod raster;
 mod screen_png;
+mod step;
 mod svg;
 mod table;
+mod wireframe;
 
 pub use error::FigureError;
+pub use mesh::Mesh;
 pub use picture::{Figure, LARGEST_WIDTH, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
 pub use screen_png::screen_png;
-pub use table::{curve_csv, curve_json};
+pub use step::surface_step;
+pub use table::{curve_csv, curve_json, surface_csv, surface_json};
+pub use wireframe::visible_lines;

@@ -1,7 +1,8 @@
-//! Sampled curves as tables for other programs: CSV and JSON.
+//! Sampled curves and surfaces as tables for other programs: CSV and JSON.
 
 use super::number::Number;
-use serde_json::{Map, Value};
+use crate::geometry::SurfaceSample;
+use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// The names of the coordinates.
@@ -56,6 +57,48 @@ pub fn curve_json<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; 
             row.insert((*axis).to_string(), Value::from(coordinate));
         }
         let _ = write!(text, "{}{}", if index == 0 { "\n" } else { ",\n" }, Value::Object(row));
+    }
+    text.push_str("\n]\n");
+    text
+}
+
+/// Samples of a surface as CSV: the header `i,j,u,v,x,y,z` (spans from 0, parameters in them, the point),
+/// then a line each. Numbers have the fewest digits that read back as the same double.
+///
+/// ```
+/// use grafika::geometry::SurfaceSample;
+///
+/// let sample = SurfaceSample { spans: [0, 2], parameters: [0.5, 1.0], point: [1.0, 0.1, 1e-9] };
+/// let text = grafika::figure::surface_csv([sample].into_iter());
+/// assert_eq!(text, "i,j,u,v,x,y,z\n0,2,0.5,1,1,0.1,1e-9\n");
+/// ```
+pub fn surface_csv(samples: impl Iterator<Item = SurfaceSample>) -> String {
+    let mut text = String::from("i,j,u,v,x,y,z\n");
+    for SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] } in samples {
+        let [u, v, x, y, z] = [u, v, x, y, z].map(Number);
+        let _ = writeln!(text, "{i},{j},{u},{v},{x},{y},{z}");
+    }
+    text
+}
+
+/// The rows of [`surface_csv`] as a JSON array with an object a line.
+///
+/// ```
+/// use grafika::geometry::SurfaceSample;
+///
+/// let sample = SurfaceSample { spans: [0, 2], parameters: [0.5, 1.0], point: [1.0, 0.1, 3.0] };
+/// let text = grafika::figure::surface_json([sample].into_iter());
+/// assert_eq!(text, r#"[
+/// {"i":0,"j":2,"u":0.5,"v":1.0,"x":1.0,"y":0.1,"z":3.0}
+/// ]
+/// "#);
+/// ```
+pub fn surface_json(samples: impl Iterator<Item = SurfaceSample>) -> String {
+    let mut text = String::from("[");
+    for (index, SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] }) in samples.enumerate()
+    {
+        let row = json!({ "i": i, "j": j, "u": u, "v": v, "x": x, "y": y, "z": z });
+        let _ = write!(text, "{}{row}", if index == 0 { "\n" } else { ",\n" });
     }
     text.push_str("\n]\n");
     text

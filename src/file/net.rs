@@ -7,7 +7,7 @@ use super::check::{self, Bounds};
 use super::format::a_file;
 use super::space::place_on_screen;
 use super::{FileError, Format, NetSettings, settings};
-use crate::geometry::View;
+use crate::geometry::{Topology, View};
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
 
@@ -140,10 +140,28 @@ impl NetKind {
     /// never draw as a point.
     fn screen(self, k: usize, l: usize, point: [f64; 3]) -> [i16; 2] {
         match self {
-            Self::Fhc if k < 2 && l < 2 => place_on_screen(View::from_direction(HERMITE_VIEW), point),
-            Self::Fhc => [0; 2],
-            Self::Zyp => place_on_screen(View::from_direction(TORUS_VIEW), point),
-            _ => place_on_screen(View::from_direction(VIEW), point),
+            Self::Fhc if k >= 2 || l >= 2 => [0; 2],
+            _ => place_on_screen(View::from_direction(self.view()), point),
+        }
+    }
+
+    /// What the surface of such a net is joined to itself by.
+    #[must_use]
+    pub fn topology(self) -> Topology {
+        match self.family() {
+            Family::Hermite | Family::Open | Family::Heights | Family::Bezier => Topology::Open,
+            Family::Sphere => Topology::Sphere,
+            Family::Torus => Topology::Torus,
+        }
+    }
+
+    /// The direction from the origin to the viewer at the start of the program that saves this kind.
+    #[must_use]
+    pub fn view(self) -> [f64; 3] {
+        match self {
+            Self::Fhc => HERMITE_VIEW,
+            Self::Zyp => TORUS_VIEW,
+            _ => VIEW,
         }
     }
 

@@ -131,7 +131,7 @@ impl<const D: usize> CubicBezier<D> {
     }
 
     /// De Casteljau's scheme with another parameter in each round.
-    fn blossom(&self, [u, v, w]: [f64; 3]) -> Point<D> {
+    pub(super) fn blossom(&self, [u, v, w]: [f64; 3]) -> Point<D> {
         let [a, b, c, d] = self.p;
         let (ab, bc, cd) = (lerp(a, b, u), lerp(b, c, u), lerp(c, d, u));
         lerp(lerp(ab, bc, v), lerp(bc, cd, v), w)

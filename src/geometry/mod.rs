@@ -73,8 +73,8 @@ pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
-    Border, Derivatives, Grid, Patch, Plane, RefineDirection, Scheme, Surface, SurfaceSample, Topology,
-    refine, section,
+    BSplineSurface, Border, Derivatives, Grid, Patch, Plane, RefineDirection, Rim, Scheme, Surface,
+    SurfaceSample, Topology, refine, section,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

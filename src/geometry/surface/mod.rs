@@ -5,6 +5,7 @@
 //! borders and auxiliary pole points only change the weights ([`weave`](self::weave)). Sampling and
 //! derivatives are written once for patches.
 
+mod bspline;
 mod grid;
 mod normal;
 mod patch;
@@ -12,6 +13,7 @@ mod refine;
 mod section;
 mod weave;
 
+pub use bspline::{BSplineSurface, Rim};
 pub use grid::Grid;
 pub use patch::{Derivatives, Patch};
 pub use refine::{RefineDirection, refine};
@@ -85,6 +87,8 @@ struct Direction {
     /// The first and the last span are half as long as the others.
     half_ends: bool,
     closed: bool,
+    /// How many derivatives are continuous from span to span, 0 to 2.
+    smoothness: usize,
 }
 
 impl Direction {
@@ -147,7 +151,7 @@ impl Surface {
         for row in matrix {
             check_points(row)?;
         }
-        let one = Direction { spans: 1, cells: 1, half_ends: false, closed: false };
+        let one = Direction { spans: 1, cells: 1, half_ends: false, closed: false, smoothness: 2 };
         Self::of_patches(vec![Patch::from_hermite(matrix)], [one; 2], Topology::Open)
     }
 
@@ -160,8 +164,13 @@ impl Surface {
         for count in [net.len(), columns] {
             check_count(count, 2)?;
         }
-        let direction =
-            |count: usize| Direction { spans: 1, cells: count - 1, half_ends: false, closed: false };
+        let direction = |count: usize| Direction {
+            spans: 1,
+            cells: count - 1,
+            half_ends: false,
+            closed: false,
+            smoothness: 2,
+        };
         let directions = [direction(net.len()), direction(columns)];
         let body = match four_by_four(net) {
             Some(p) => Body::Patches(vec![Patch { p }]),

@@ -90,6 +90,19 @@ fn direction(weights: &Weights, method: Method, ends: Ends) -> Direction {
         cells: 1,
         half_ends: method == Method::BSpline2 && ends == Ends::Doubled,
         closed: ends == Ends::Closed,
+        smoothness: smoothness(method),
+    }
+}
+
+/// How many derivatives by the parameter are continuous from span to span.
+fn smoothness(method: Method) -> usize {
+    match method {
+        Method::Spline | Method::BSpline3 => 2,
+        method if method == NEUTRAL => 2,
+        // Of bias 1, so that the tangents keep their lengths.
+        Method::Beta { bias: 1.0, .. } => 1,
+        Method::Beta { .. } | Method::Bezier => 0,
+        Method::BSpline2 | Method::Local { .. } | Method::Coons { .. } => 1,
     }
 }
 
@@ -112,7 +125,7 @@ fn over_the_poles(method: Method, net: &[Vec<Point<3>>]) -> Result<(Rows, Direct
         far.push(returning.iter().rev().map(CubicBezier::reversed).collect());
     }
     near.append(&mut far);
-    Ok((near, Direction { spans, cells: 1, half_ends: false, closed: false }))
+    Ok((near, Direction { spans, cells: 1, half_ends: false, closed: false, smoothness: smoothness(method) }))
 }
 
 /// Auxiliary points beyond the poles, one for each meridian, such that all tangents of the surface at a

@@ -1,0 +1,353 @@
+//! Surfaces as meshes of triangles for printers and modellers: Wavefront OBJ, STL and PLY.
+//!
+//! The points of a grid are welded where the surface is joined to itself, so that a sphere or a torus is a
+//! closed solid without seams. The mesh is an approximation; the exact surface is written by
+//! [`surface_step`](super::surface_step).
+
+use super::FigureError;
+use super::number::Number;
+use crate::geometry::{BoundingBox, Grid, Point};
+use std::collections::HashMap;
+use std::fmt::Write;
+
+/// Points of a border that differ by no more than this part of the largest coordinate are one point.
+const ROUNDING: f64 = 1e-12;
+/// How much shorter the other diagonal of a cell has to be to be taken; equal ones give an even pattern.
+const SHORTER: f64 = 1.0 - 1e-9;
+
+/// Triangles between numbered vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<Point<3>>,
+    triangles: Vec<[usize; 3]>,
+}
+
+impl Mesh {
+    /// The mesh of a grid, two triangles a cell, split along the shorter diagonal. Seams of closed directions
+    /// share their vertices; a border whose points are all equal, as a pole, is one vertex; triangles without
+    /// three different vertices are left out. Seen from the side of r_u x r_v the vertices go round
+    /// counterclockwise, but in a closed mesh always as seen from outside (its volume is positive).
+    ///
+    /// # Errors
+    /// [`FigureError::NoTriangles`] when nothing is left.
+    pub fn from_grid(grid: &Grid) -> Result<Mesh, FigureError> {
+        let mut mesh = Self::welded(grid)?;
+        if mesh.is_inside_out() {
+            mesh.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+        }
+        Ok(mesh)
+    }
+
+    /// A closed mesh whose triangles go round clockwise as seen from outside.
+    pub(super) fn is_inside_out(&self) -> bool {
+        self.scaled_volume()[0] < 0.0 && self.closed_characteristic().is_some()
+    }
+
+    /// The mesh with the orientation of the grid.
+    pub(super) fn welded(grid: &Grid) -> Result<Mesh, FigureError> {
+        let merged = merged(grid);
+        let mut triangles: Vec<[usize; 3]> =
+            grid.cells().flat_map(|cell| split(cell, grid.points())).collect();
+        for corner in triangles.iter_mut().flatten() {
+            *corner = merged.get(*corner).copied().unwrap_or(*corner);
+        }
+        triangles.retain(|[a, b, c]| a != b && b != c && c != a);
+        let mut numbers = vec![None; grid.points().len()];
+        for &corner in triangles.iter().flatten() {
+            if let Some(number) = numbers.get_mut(corner) {
+                *number = Some(0);
+            }
+        }
+        let mut vertices = Vec::new();
+        for (slot, &point) in numbers.iter_mut().zip(grid.points()) {
+            if let Some(number) = slot {
+                *number = vertices.len();
+                vertices.push(point);
+            }
+        }
+        for corner in triangles.iter_mut().flatten() {
+            *corner = numbers.get(*corner).copied().flatten().unwrap_or(0);
+        }
+        let extent = BoundingBox::of_points(&vertices).map_or([0.0; 3], |bounds| bounds.size());
+        let largest = vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if extent.iter().all(|&size| size <= ROUNDING * largest) {
+            return Err(FigureError::NoTriangles);
+        }
+        Ok(Mesh { vertices, triangles })
+    }
+
+    /// The vertices.
+    #[must_use]
+    pub fn vertices(&self) -> &[Point<3>] {
+        &self.vertices
+    }
+
+    /// The numbers of three vertices a triangle, from 0.
+    #[must_use]
+    pub fn triangles(&self) -> &[[usize; 3]] {
+        &self.triangles
+    }
+
+    /// The Euler characteristic (vertices - edges + triangles: 2 for a sphere, 0 for a torus) if the mesh is
+    /// a closed surface: every edge lies between two triangles that run through it in opposite directions,
+    /// and the triangles of every vertex are one fan. `None` if it has a border or is no surface.
+    #[must_use]
+    pub fn closed_characteristic(&self) -> Option<i64> {
+        // From vertex and one neighbour to the next neighbour around it.
+        let mut next = HashMap::with_capacity(3 * self.triangles.len());
+        let mut fans = vec![(0_usize, 0_usize); self.vertices.len()];
+        for &[a, b, c] in &self.triangles {
+            for (at, from, to) in [(a, b, c), (b, c, a), (c, a, b)] {
+                if next.insert((at, from), to).is_some() {
+                    return None;
+                }
+                let fan = fans.get_mut(at)?;
+                *fan = (fan.0 + 1, from);
+            }
+        }
+        for (at, (count, first)) in fans.into_iter().enumerate() {
+            let (mut steps, mut neighbour) = (1, *next.get(&(at, first))?);
+            while neighbour != first && steps <= count {
+                neighbour = *next.get(&(at, neighbour))?;
+                steps += 1;
+            }
+            if steps != count {
+                return None;
+            }
+        }
+        // Every edge is there twice, once from each of its ends.
+        let [vertices, edges, faces] = [self.vertices.len(), next.len() / 2, self.triangles.len()];
+        Some(vertices as i64 - edges as i64 + faces as i64)
+    }
+
+    /// The volume that a closed mesh encloses: the sum of the signed tetrahedra over its triangles.
+    /// Infinite where no double holds it.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let [volume, size] = self.scaled_volume();
+        volume * size * size * size
+    }
+
+    /// The volume of the mesh made smaller or larger to the size of 1, and its own size.
+    fn scaled_volume(&self) -> [f64; 2] {
+        let origin = self.vertices.first().copied().unwrap_or([0.0; 3]);
+        let away = |p: &Point<3>| -> Point<3> { std::array::from_fn(|d| p[d] - origin[d]) };
+        let size = self.vertices.iter().flat_map(away).fold(0.0_f64, |m, x| m.max(x.abs()));
+        if size == 0.0 {
+            return [0.0; 2];
+        }
+        let at = |n: usize| self.vertices.get(n).map_or([0.0; 3], |p| away(p).map(|x| x / size));
+        let tetrahedron = |&[a, b, c]: &[usize; 3]| dot(at(a), cross(at(b), at(c))) / 6.0;
+        [self.triangles.iter().map(tetrahedron).sum(), size]
+    }
+
+    /// The mesh as Wavefront OBJ. Numbers read back as the same double.
+    #[must_use]
+    pub fn to_obj(&self) -> String {
+        let mut text = String::new();
+        for [x, y, z] in &self.vertices {
+            // Writing to a string cannot fail, here and below.
+            let _ = writeln!(text, "v {} {} {}", Number(*x), Number(*y), Number(*z));
+        }
+        for [a, b, c] in &self.triangles {
+            let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
+        }
+        text
+    }
+
+    /// The mesh as PLY 1.0, binary little-endian, coordinates in double precision.
+    ///
+    /// # Errors
+    /// [`FigureError::TooManyVertices`] when they cannot be numbered in 32 bits.
+    pub fn to_ply(&self) -> Result<Vec<u8>, FigureError> {
+        let mut header = String::from("ply\nformat binary_little_endian 1.0\ncomment grafika\n");
+        let _ = writeln!(header, "element vertex {}", self.vertices.len());
+        header.push_str("property double x\nproperty double y\nproperty double z\n");
+        let _ = writeln!(header, "element face {}", self.triangles.len());
+        header.push_str("property list uchar int vertex_indices\nend_header\n");
+        let mut bytes = header.into_bytes();
+        for coordinate in self.vertices.iter().flatten() {
+            bytes.extend(coordinate.to_le_bytes());
+        }
+        for triangle in &self.triangles {
+            bytes.push(3);
+            for &corner in triangle {
+                let number = i32::try_from(corner).map_err(|_| FigureError::TooManyVertices)?;
+                bytes.extend(number.to_le_bytes());
+            }
+        }
+        Ok(bytes)
+    }
+
+    /// The mesh as binary STL, in single precision. Normals follow the order of the corners.
+    ///
+    /// # Errors
+    /// [`FigureError::Single`] for a coordinate that is too large for a single,
+    /// [`FigureError::TooManyVertices`] for more triangles than 32 bits count.
+    pub fn to_stl(&self) -> Result<Vec<u8>, FigureError> {
+        let count = u32::try_from(self.triangles.len()).map_err(|_| FigureError::TooManyVertices)?;
+        let mut bytes = vec![0; 80];
+        // The header is free, but must not begin with "solid", which means the textual form.
+        bytes.iter_mut().zip(*b"grafika").for_each(|(to, from)| *to = from);
+        bytes.extend(count.to_le_bytes());
+        for triangle in &self.triangles {
+            let corners = triangle.map(|n| self.vertices.get(n).copied().unwrap_or([0.0; 3]));
+            bytes.extend(normal(corners).iter().flat_map(|x| (*x as f32).to_le_bytes()));
+            for &value in corners.iter().flatten() {
+                let single = value as f32;
+                if !single.is_finite() {
+                    return Err(FigureError::Single { value });
+                }
+                bytes.extend(single.to_le_bytes());
+            }
+            bytes.extend([0; 2]);
+        }
+        Ok(bytes)
+    }
+}
+
+/// For every point of a grid the one that stands for it.
+fn merged(grid: &Grid) -> Vec<usize> {
+    let [rows, columns] = [grid.rows(), grid.columns()];
+    let [closed_u, closed_v] = grid.closed();
+    let largest = grid.points().iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let near = |a: Option<Point<3>>, b: Option<Point<3>>| match (a, b) {
+        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= ROUNDING * largest),
+        _ => false,
+    };
+    let pole_row = |k: usize| !closed_u && (1..columns).all(|l| near(grid.point(k, 0), grid.point(k, l)));
+    let pole_column = |l: usize| !closed_v && (1..rows).all(|k| near(grid.point(0, l), grid.point(k, l)));
+    let (last_row, last_column) = (rows.saturating_sub(1), columns.saturating_sub(1));
+    let row_poles = [0, last_row].map(pole_row);
+    let column_poles = [0, last_column].map(pole_column);
+    // Corners that poles make the same: corner 2 k + l is that of the first or last row and column.
+    let mut corners = [0, 1, 2, 3];
+    let mut unite = |a: usize, b: usize| {
+        let [a, b] = [corners[a], corners[b]];
+        corners.iter_mut().filter(|corner| **corner == a.max(b)).for_each(|corner| *corner = a.min(b));
+    };
+    for end in 0..2 {
+        if row_poles[end] {
+            unite(2 * end, 2 * end + 1);
+        }
+        if column_poles[end] {
+            unite(end, 2 + end);
+        }
+    }
+    let target = |k: usize, l: usize| {
+        let k = if closed_u && k == last_row { 0 } else { k };
+        let l = if closed_v && l == last_column { 0 } else { l };
+        // A grid of one line has its first border only.
+        let border = |at: usize, last: usize| if at == 0 { Some(0) } else { (at == last).then_some(1) };
+        let corner = match (border(k, last_row), border(l, last_column)) {
+            (Some(end), _) if row_poles[end] => corners[2 * end],
+            (_, Some(end)) if column_poles[end] => corners[end],
+            _ => return k * columns + l,
+        };
+        last_row * (corner / 2) * columns + last_column * (corner % 2)
+    };
+    (0..rows).flat_map(|k| (0..columns).map(move |l| (k, l))).map(|(k, l)| target(k, l)).collect()
+}
+
+/// The two triangles of a cell with the corners (k, l), (k, l - 1), (k - 1, l - 1), (k - 1, l).
+pub(super) fn split(cell: [usize; 4], points: &[Point<3>]) -> [[usize; 3]; 2] {
+    let at = |index: usize| points.get(index).copied().unwrap_or([0.0; 3]);
+    let distance = |a: usize, b: usize| {
+        let (a, b) = (at(a), at(b));
+        (0..3).fold(0.0_f64, |sum, d| sum.hypot(a[d] - b[d]))
+    };
+    let [a, b, c, d] = cell;
+    if distance(b, d) < SHORTER * distance(a, c) { [[c, b, d], [b, a, d]] } else { [[c, b, a], [c, a, d]] }
+}
+
+/// The unit normal of a triangle; zero where it has none.
+fn normal([a, b, c]: [Point<3>; 3]) -> Point<3> {
+    let leg = |p: Point<3>| std::array::from_fn(|d| p[d] - a[d]);
+    let unit = |v: Point<3>| {
+        let length = v.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
+        if length > 0.0 { v.map(|x| x / length) } else { [0.0; 3] }
+    };
+    // Scaled first: the product of tiny legs would vanish.
+    unit(cross(unit(leg(b)), unit(leg(c))))
+}
+
+fn cross(a: Point<3>, b: Point<3>) -> Point<3> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn dot(a: Point<3>, b: Point<3>) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid(size: [usize; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> Point<3>) -> Grid {
+        let at = |index: usize, count: usize| index as f64 / (count - 1) as f64;
+        Grid::from_fn(size, closed, |k, l| point(at(k, size[0]), at(l, size[1])))
+    }
+
+    fn ball(size: [usize; 2], turn: f64) -> Grid {
+        grid(size, [true, false], |u, v| {
+            let (psi, fi) = (turn * u * std::f64::consts::TAU, v * std::f64::consts::PI);
+            [fi.sin() * psi.cos(), fi.sin() * psi.sin(), fi.cos()]
+        })
+    }
+
+    #[test]
+    fn balls_are_closed_and_look_outwards() {
+        for turn in [1.0, -1.0] {
+            let mesh = Mesh::from_grid(&ball([41, 21], turn)).unwrap();
+            assert_eq!(mesh.closed_characteristic(), Some(2));
+            assert_eq!((mesh.vertices().len(), mesh.triangles().len()), (40 * 19 + 2, 40 * 38));
+            let ball = 4.0 / 3.0 * std::f64::consts::PI;
+            assert!((mesh.volume() / ball - 1.0).abs() < 0.02 && mesh.volume() < ball);
+        }
+    }
+
+    #[test]
+    fn a_hole_an_edge_too_many_and_a_pinch_are_no_closed_surface() {
+        let mesh = Mesh::from_grid(&ball([9, 5], 1.0)).unwrap();
+        let mut open = mesh.clone();
+        open.triangles.pop();
+        assert_eq!(open.closed_characteristic(), None);
+        let mut turned = mesh.clone();
+        turned.triangles[3].swap(0, 1);
+        assert_eq!(turned.closed_characteristic(), None);
+        // Two balls that touch in a vertex.
+        let mut pinched = mesh.clone();
+        let count = mesh.vertices.len();
+        pinched.vertices.extend(mesh.vertices.iter().skip(1));
+        let other =
+            mesh.triangles.iter().map(|corners| corners.map(|n| if n == 0 { 0 } else { n + count - 1 }));
+        pinched.triangles.extend(other);
+        assert_eq!(pinched.closed_characteristic(), None);
+    }
+
+    #[test]
+    fn normals_go_round_the_given_way() {
+        let flat = Mesh::from_grid(&grid([2, 3], [false; 2], |u, v| [u, v, 0.0])).unwrap();
+        assert_eq!((flat.triangles().len(), flat.closed_characteristic()), (4, None));
+        for corners in flat.triangles() {
+            assert_eq!(normal(corners.map(|n| flat.vertices()[n])), [0.0, 0.0, 1.0]);
+        }
+        let point = Mesh::from_grid(&grid([3, 3], [false; 2], |_, _| [1.0; 3]));
+        assert_eq!(point, Err(FigureError::NoTriangles));
+    }
+
+    #[test]
+    fn files_have_the_sizes_that_they_announce() {
+        let mesh = Mesh::from_grid(&ball([9, 5], 1.0)).unwrap();
+        let (vertices, triangles) = (mesh.vertices().len(), mesh.triangles().len());
+        assert_eq!(mesh.to_stl().unwrap().len(), 84 + 50 * triangles);
+        let ply = mesh.to_ply().unwrap();
+        let end = ply.windows(11).position(|text| text == b"end_header\n").unwrap() + 11;
+        assert_eq!(ply.len() - end, 24 * vertices + 13 * triangles);
+        let obj = mesh.to_obj();
+        assert_eq!(obj.lines().filter(|line| line.starts_with("v ")).count(), vertices);
+        let huge = Mesh::from_grid(&grid([2, 2], [false; 2], |u, v| [1e99 * u, 1e99 * v, 0.0])).unwrap();
+        assert_eq!(huge.to_stl(), Err(FigureError::Single { value: 1e99 }));
+        assert!(huge.to_ply().is_ok() && huge.to_obj().contains("1e99"));
+    }
+}

@@ -1,0 +1,309 @@
+//! Surfaces exactly, for CAD programs: STEP (ISO 10303-21) of the application protocol AP214.
+//!
+//! The surface is one B-spline surface on one face; its borders are edges, a seam is an edge used twice, a pole
+//! has none. A closed surface is a solid, an open one a shell. One unit of the net is one millimetre.
+
+use super::FigureError;
+use super::mesh::Mesh;
+use crate::geometry::{BSplineSurface, Point, Rim, Surface};
+use std::fmt::{self, Write};
+
+/// The highest degree that CAD kernels read (Open CASCADE and Parasolid's exchange).
+const MOST_DEGREES: usize = 25;
+/// Steps a cell that tell the inside of a closed surface from the outside.
+const LOOK: usize = 4;
+
+/// A surface as the text of a STEP file with one product of that name. The control points and knots are those
+/// of [`Surface::to_bspline`]; numbers read back as the same double. A closed surface becomes a solid whose
+/// face looks outwards. The same surface gives the same text: the file bears no date.
+///
+/// # Errors
+/// [`FigureError::Degree`] for a Bézier net of more than 26 points a side, [`FigureError::NoTriangles`] for a
+/// surface without area.
+pub fn surface_step(surface: &Surface, name: &str) -> Result<String, FigureError> {
+    let form = surface.to_bspline();
+    if let Some(&given) = form.degrees.iter().find(|&&degree| degree > MOST_DEGREES) {
+        return Err(FigureError::Degree { given, most: MOST_DEGREES });
+    }
+    // Nets are far smaller than what a grid can hold at these steps; a larger one is not looked at.
+    let inside_out = match surface.grid(LOOK) {
+        Ok(grid) => Mesh::welded(&grid)?.is_inside_out(),
+        Err(_) => false,
+    };
+    let mut file = File::new(name);
+    let face = Face::new(&form, surface.closed());
+    let (item, kind) = face.write(&mut file, inside_out);
+    Ok(file.finish(item, kind))
+}
+
+/// What a file is made of: lines `#number=ENTITY(...);`.
+struct File {
+    name: String,
+    data: String,
+    count: usize,
+}
+
+/// The entity that holds the shape.
+type Representation = &'static str;
+
+impl File {
+    fn new(name: &str) -> Self {
+        Self { name: quoted(name), data: String::new(), count: 0 }
+    }
+
+    /// Adds an entity and gives its number.
+    fn add(&mut self, entity: impl fmt::Display) -> Id {
+        self.count += 1;
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.data, "#{}={entity};", self.count);
+        Id(self.count)
+    }
+
+    fn point(&mut self, [x, y, z]: Point<3>) -> Id {
+        self.add(format_args!("CARTESIAN_POINT('',({},{},{}))", Real(x), Real(y), Real(z)))
+    }
+
+    /// Adds what a product needs around its shape.
+    fn finish(mut self, item: Id, representation: Representation) -> String {
+        let name = self.name.clone();
+        let application =
+            self.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
+        self.add(format_args!(
+            "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})"
+        ));
+        let context = self.add(format_args!("PRODUCT_CONTEXT('',{application},'mechanical')"));
+        let product = self.add(format_args!("PRODUCT({name},{name},'',({context}))"));
+        self.add(format_args!("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',({product}))"));
+        let formation = self.add(format_args!("PRODUCT_DEFINITION_FORMATION('','',{product})"));
+        let design =
+            self.add(format_args!("PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')"));
+        let definition = self.add(format_args!("PRODUCT_DEFINITION('design','',{formation},{design})"));
+        let shape = self.add(format_args!("PRODUCT_DEFINITION_SHAPE('','',{definition})"));
+        let length = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+        let angle = self.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
+        let solid_angle = self.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
+        let uncertainty = self.add(format_args!(
+            "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),{length},'distance_accuracy_value','')"
+        ));
+        let space = self.add(format_args!(
+            "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({uncertainty}))\
+             GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid_angle}))REPRESENTATION_CONTEXT('',''))"
+        ));
+        let origin = self.point([0.0; 3]);
+        let axis = self.add("DIRECTION('',(0.,0.,1.))");
+        let reference = self.add("DIRECTION('',(1.,0.,0.))");
+        let placement = self.add(format_args!("AXIS2_PLACEMENT_3D('',{origin},{axis},{reference})"));
+        let shown = self.add(format_args!("{representation}({name},({placement},{item}),{space})"));
+        self.add(format_args!("SHAPE_DEFINITION_REPRESENTATION({shape},{shown})"));
+        format!(
+            "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('a surface by a net of control points'),'2;1');\n\
+             FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'grafika','grafika','');\n\
+             FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\nENDSEC;\nDATA;\n{}ENDSEC;\n\
+             END-ISO-10303-21;\n",
+            self.data
+        )
+    }
+}
+
+/// A surface with what its borders are.
+struct Face<'a> {
+    form: &'a BSplineSurface,
+    closed: [bool; 2],
+    /// The borders of direction d at its beginning and its end that are a single point.
+    poles: [[bool; 2]; 2],
+}
+
+impl<'a> Face<'a> {
+    fn new(form: &'a BSplineSurface, closed: [bool; 2]) -> Self {
+        let pole = |d: usize, rim: Rim| !closed[d] && form.is_pole(d, rim);
+        let poles = [0, 1].map(|d| [Rim::First, Rim::Last].map(|rim| pole(d, rim)));
+        Self { form, closed, poles }
+    }
+
+    /// Writes the face in its shell and gives the entity with the kind of representation that holds it.
+    fn write(&self, file: &mut File, inside_out: bool) -> (Id, Representation) {
+        let net: Vec<Vec<Id>> =
+            self.form.net.iter().map(|row| row.iter().map(|&point| file.point(point)).collect()).collect();
+        let surface = self.surface(file, &net);
+        let boundary = self.boundary(file, &net);
+        // Where the face looks against the surface, its boundary runs the other way too.
+        let sense = Flag(!inside_out);
+        let bound = file.add(format_args!("FACE_OUTER_BOUND('',{boundary},{sense})"));
+        let face = file.add(format_args!("ADVANCED_FACE('',({bound}),{surface},{sense})"));
+        let whole = (0..2).all(|d| self.closed[d] || self.poles[d] == [true; 2]);
+        if whole {
+            let shell = file.add(format_args!("CLOSED_SHELL('',({face}))"));
+            let solid = file.add(format_args!("MANIFOLD_SOLID_BREP('',{shell})"));
+            (solid, "ADVANCED_BREP_SHAPE_REPRESENTATION")
+        } else {
+            let shell = file.add(format_args!("OPEN_SHELL('',({face}))"));
+            let model = file.add(format_args!("SHELL_BASED_SURFACE_MODEL('',({shell}))"));
+            (model, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION")
+        }
+    }
+
+    fn surface(&self, file: &mut File, net: &[Vec<Id>]) -> Id {
+        let rows: Vec<String> = net.iter().map(|row| List(row).to_string()).collect();
+        let ([p, q], [u_closed, v_closed]) = (self.form.degrees, self.closed.map(Flag));
+        let (knots, counts) = (&self.form.knots, &self.form.multiplicities);
+        file.add(format_args!(
+            "B_SPLINE_SURFACE_WITH_KNOTS('',{p},{q},{},.UNSPECIFIED.,{u_closed},{v_closed},.U.,{},{},{},{},\
+             .UNSPECIFIED.)",
+            List(&rows),
+            List(&counts[0]),
+            List(&counts[1]),
+            List(&reals(&knots[0])),
+            List(&reals(&knots[1]))
+        ))
+    }
+
+    /// The loop around the parameters, counterclockwise: v first, u last, v last back, u first back.
+    fn boundary(&self, file: &mut File, net: &[Vec<Id>]) -> Id {
+        let mut vertices: [Option<Id>; 4] = [None; 4];
+        let mut corner = |file: &mut File, u: usize, v: usize| {
+            let [u, v] = self.stands_for(u, v);
+            // Both are 0 or 1.
+            let slot = vertices.get_mut(2 * u + v)?;
+            if slot.is_none() {
+                let row = if u == 0 { net.first() } else { net.last() }?;
+                let point = if v == 0 { row.first() } else { row.last() }?;
+                *slot = Some(file.add(format_args!("VERTEX_POINT('',{point})")));
+            }
+            *slot
+        };
+        let mut oriented = Vec::new();
+        let mut edges: [[Option<Id>; 2]; 2] = [[None; 2]; 2];
+        for (across, end, forward) in [(1, 0, true), (0, 1, true), (1, 1, false), (0, 0, false)] {
+            if self.poles[across][end] {
+                continue;
+            }
+            // Both sides of a seam are the same edge.
+            let end = if self.closed[across] { 0 } else { end };
+            if edges[across][end].is_none() {
+                let corners = if across == 1 { [[0, end], [1, end]] } else { [[end, 0], [end, 1]] };
+                let [from, to] = corners.map(|[u, v]| corner(file, u, v));
+                let curve = self.curve(file, net, across, end);
+                edges[across][end] = from
+                    .zip(to)
+                    .map(|(from, to)| file.add(format_args!("EDGE_CURVE('',{from},{to},{curve},.T.)")));
+            }
+            if let Some(edge) = edges[across][end] {
+                oriented.push(file.add(format_args!("ORIENTED_EDGE('',*,*,{edge},{})", Flag(forward))));
+            }
+        }
+        match corner(file, 0, 0) {
+            Some(vertex) if oriented.is_empty() => file.add(format_args!("VERTEX_LOOP('',{vertex})")),
+            _ => file.add(format_args!("EDGE_LOOP('',{})", List(&oriented))),
+        }
+    }
+
+    /// The corner of the parameters that a corner is the same point as.
+    fn stands_for(&self, u: usize, v: usize) -> [usize; 2] {
+        let u = if self.closed[0] { 0 } else { u };
+        let v = if self.closed[1] { 0 } else { v };
+        let u = if self.poles[1][v] { 0 } else { u };
+        [u, if self.poles[0][u] { 0 } else { v }]
+    }
+
+    /// The border at the beginning (0) or the end (1) of a direction as a curve.
+    fn curve(&self, file: &mut File, net: &[Vec<Id>], across: usize, end: usize) -> Id {
+        let points: Vec<Id> = match (across, end) {
+            (0, 0) => net.first().cloned().unwrap_or_default(),
+            (0, _) => net.last().cloned().unwrap_or_default(),
+            (_, 0) => net.iter().filter_map(|row| row.first().copied()).collect(),
+            _ => net.iter().filter_map(|row| row.last().copied()).collect(),
+        };
+        let along = 1 - across;
+        file.add(format_args!(
+            "B_SPLINE_CURVE_WITH_KNOTS('',{},{},.UNSPECIFIED.,{},.U.,{},{},.UNSPECIFIED.)",
+            self.form.degrees[along],
+            List(&points),
+            Flag(self.closed[along]),
+            List(&self.form.multiplicities[along]),
+            List(&reals(&self.form.knots[along]))
+        ))
+    }
+}
+
+/// A reference to an entity.
+#[derive(Clone, Copy)]
+struct Id(usize);
+
+impl fmt::Display for Id {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{}", self.0)
+    }
+}
+
+struct Flag(bool);
+
+impl fmt::Display for Flag {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0 { ".T." } else { ".F." })
+    }
+}
+
+struct List<'a, T>(&'a [T]);
+
+impl<T: fmt::Display> fmt::Display for List<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_char('(')?;
+        for (index, item) in self.0.iter().enumerate() {
+            write!(f, "{}{item}", if index == 0 { "" } else { "," })?;
+        }
+        f.write_char(')')
+    }
+}
+
+fn reals(values: &[f64]) -> Vec<Real> {
+    values.iter().copied().map(Real).collect()
+}
+
+/// A number with the decimal point that STEP asks for, which reads back as the same double but for the sign
+/// of zero.
+struct Real(f64);
+
+impl fmt::Display for Real {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = super::number::Number(self.0 + 0.0).to_string();
+        match text.split_once('e') {
+            Some((digits, power)) if digits.contains('.') => write!(f, "{digits}E{power}"),
+            Some((digits, power)) => write!(f, "{digits}.E{power}"),
+            None if text.contains('.') => f.write_str(&text),
+            None => write!(f, "{text}."),
+        }
+    }
+}
+
+/// A text as a STEP string: letters beyond ASCII in hexadecimal.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("'");
+    for ch in text.chars() {
+        match ch {
+            '\'' => quoted.push_str("''"),
+            '\\' => quoted.push_str("\\\\"),
+            ' '..='~' => quoted.push(ch),
+            _ => {
+                let _ = write!(quoted, "\\X4\\{:08X}\\X0\\", u32::from(ch));
+            }
+        }
+    }
+    quoted.push('\'');
+    quoted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_a_point() {
+        let texts = [0.0, -0.0, 120.0, -0.5, 1e-9, -2.5e150].map(|x| Real(x).to_string());
+        assert_eq!(texts, ["0.", "0.", "120.", "-0.5", "1.E-9", "-2.5E150"]);
+    }
+
+    #[test]
+    fn names_are_quoted() {
+        assert_eq!(quoted("a'b\\ő\n"), r"'a''b\\\X4\00000151\X0\\X4\0000000A\X0\'");
+    }
+}

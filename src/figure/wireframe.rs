@@ -1,0 +1,280 @@
+//! The visible lines of a surface as vectors: what a wire frame shows when the surface is opaque.
+//!
+//! Every edge of the grid is cut where a triangle of the grid hides it; no pixels take part, so that the lines
+//! can be enlarged at will. The triangles are flat: at the outline of a coarse grid a line ends as its
+//! neighbours' triangles say, not as the curved surface would.
+
+use super::mesh::split;
+use crate::geometry::{Grid, Point, View};
+
+/// How far behind a triangle an edge has to be to be hidden by it, by the size of the picture.
+const BEHIND: f64 = 1e-7;
+/// Pieces shorter than this part of the picture are left out.
+const SHORT: f64 = 1e-5;
+/// The most bins along a side of the picture.
+const MOST_BINS: usize = 512;
+
+/// The parts of a grid's lines that are seen, as rows of points in the plane of the view. Lines of constant
+/// `u` come first, then those of constant `v`; a closing line is not drawn twice.
+///
+/// ```
+/// use grafika::figure::visible_lines;
+/// use grafika::geometry::{Grid, View};
+///
+/// // A square seen from above: three lines in either direction.
+/// let square = Grid::from_fn([3, 3], [false; 2], |k, l| [k as f64, l as f64, 0.0]);
+/// let lines = visible_lines(&square, &View::from_direction([0.0, -0.1, 1.0]));
+/// assert_eq!(lines.iter().map(Vec::len).collect::<Vec<_>>(), [3; 6]);
+/// ```
+#[must_use]
+pub fn visible_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
+    let places: Vec<Point<2>> = grid.points().iter().map(|&point| view.place(point)).collect();
+    let Some(mut scene) = Scene::new(grid, view) else { return Vec::new() };
+    let place = |index: usize| places.get(index).copied().unwrap_or([0.0; 2]);
+    let mut lines = Vec::new();
+    for line in grid_lines(grid) {
+        let (mut chain, mut joined) = (Vec::new(), false);
+        for (&from, &to) in line.iter().zip(line.iter().skip(1)) {
+            let (a, b) = (place(from), place(to));
+            let pieces = scene.visible(from, to);
+            for &[start, end] in &pieces {
+                if start > 0.0 || !joined {
+                    lines.push(std::mem::replace(&mut chain, vec![lerp(a, b, start)]));
+                }
+                chain.push(lerp(a, b, end));
+                joined = end >= 1.0;
+            }
+            joined &= pieces.last().is_some_and(|piece| piece[1] >= 1.0);
+        }
+        lines.push(chain);
+    }
+    lines.retain(|line| line.len() > 1);
+    lines
+}
+
+/// The indices of the points of every line of the grid.
+fn grid_lines(grid: &Grid) -> Vec<Vec<usize>> {
+    let [rows, columns] = [grid.rows(), grid.columns()];
+    let [closed_u, closed_v] = grid.closed().map(usize::from);
+    let along_v = (0..rows.saturating_sub(closed_u)).map(|k| (0..columns).map(|l| k * columns + l).collect());
+    let along_u = (0..columns.saturating_sub(closed_v)).map(|l| (0..rows).map(|k| k * columns + l).collect());
+    along_v.chain(along_u).collect()
+}
+
+/// A place in the picture, from -1 to 1, with its depth.
+type Place = [f64; 3];
+
+/// The triangles of a grid in the picture, by the bins that they lie in.
+struct Scene {
+    places: Vec<Place>,
+    triangles: Vec<[usize; 3]>,
+    bins: Vec<Vec<u32>>,
+    side: usize,
+    /// The last edge that looked at a triangle, so that none is looked at twice.
+    looked: Vec<u32>,
+    edges: u32,
+}
+
+impl Scene {
+    /// `None` for a grid without extent.
+    fn new(grid: &Grid, view: &View) -> Option<Self> {
+        let seen = |p: &Point<3>| {
+            let [x, y] = view.place(*p);
+            [x, y, view.depth(*p)]
+        };
+        let mut places: Vec<Place> = grid.points().iter().map(seen).collect();
+        let first = *places.first()?;
+        let (mut low, mut high) = (first, first);
+        for place in &places {
+            low = std::array::from_fn(|d| low[d].min(place[d]));
+            high = std::array::from_fn(|d| high[d].max(place[d]));
+        }
+        let half = (0..3).fold(0.0_f64, |m, d| m.max(high[d] / 2.0 - low[d] / 2.0));
+        if half <= 0.0 || !half.is_finite() {
+            return None;
+        }
+        for place in &mut places {
+            *place = std::array::from_fn(|d| (place[d] - (low[d] / 2.0 + high[d] / 2.0)) / half);
+        }
+        let triangles: Vec<[usize; 3]> = grid.cells().flat_map(|cell| split(cell, grid.points())).collect();
+        let side = (((triangles.len() / 2) as f64).sqrt() as usize).clamp(1, MOST_BINS);
+        let looked = vec![0; triangles.len()];
+        let mut scene =
+            Self { places, triangles, bins: vec![Vec::new(); side * side], side, looked, edges: 0 };
+        for (number, corners) in (0_u32..).zip(&scene.triangles) {
+            for bin in bins(side, &corners.map(|index| scene.place(index))) {
+                if let Some(bin) = scene.bins.get_mut(bin) {
+                    bin.push(number);
+                }
+            }
+        }
+        Some(scene)
+    }
+
+    fn place(&self, index: usize) -> Place {
+        self.places.get(index).copied().unwrap_or([0.0; 3])
+    }
+
+    /// The parts of an edge that no triangle hides, as parameters from 0 to 1.
+    fn visible(&mut self, from: usize, to: usize) -> Vec<[f64; 2]> {
+        let ends = [self.place(from), self.place(to)];
+        let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+        let mut hidden = Vec::new();
+        self.edges = self.edges.wrapping_add(1);
+        for bin in bins(self.side, &ends) {
+            for &number in self.bins.get(bin).into_iter().flatten() {
+                let number = number as usize;
+                let (Some(corners), Some(looked)) = (self.triangles.get(number), self.looked.get_mut(number))
+                else {
+                    continue;
+                };
+                if std::mem::replace(looked, self.edges) != self.edges {
+                    hidden.extend(behind(ends, corners.map(|index| self.places[index])));
+                }
+            }
+        }
+        rest(hidden, if length > 0.0 { SHORT / length } else { 0.0 })
+    }
+}
+
+/// The bins that the box round some places touches.
+fn bins(side: usize, places: &[Place]) -> impl Iterator<Item = usize> + use<> {
+    // A cast of what is beyond the range saturates, which is what is wanted.
+    let bin = |x: f64| (((x + 1.0) / 2.0 * side as f64) as usize).min(side - 1);
+    let range = |d: usize| {
+        let values = || places.iter().map(|place| place[d]);
+        bin(values().fold(f64::INFINITY, f64::min))..=bin(values().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let (columns, rows) = (range(0), range(1));
+    rows.flat_map(move |row| columns.clone().map(move |column| row * side + column))
+}
+
+/// The part of an edge that lies behind a triangle.
+fn behind([from, to]: [Place; 2], [a, b, c]: [Place; 3]) -> Option<[f64; 2]> {
+    let area = side_of(a, b, c);
+    // Seen from its edge a triangle hides nothing.
+    if area == 0.0 {
+        return None;
+    }
+    let weights =
+        |place: Place| [side_of(b, c, place), side_of(c, a, place), side_of(a, b, place)].map(|x| x / area);
+    let (at_from, at_to) = (weights(from), weights(to));
+    let mut range = [0.0, 1.0];
+    for (&start, &end) in at_from.iter().zip(&at_to) {
+        range = positive(range, start, end)?;
+    }
+    // Both are inside of the triangle now, where weights and depths are of ordinary size.
+    let depth = |t: f64| {
+        let w: [f64; 3] = std::array::from_fn(|n| (1.0 - t) * at_from[n] + t * at_to[n]);
+        let over = w[0] * a[2] + w[1] * b[2] + w[2] * c[2] - ((1.0 - t) * from[2] + t * to[2]);
+        over - BEHIND
+    };
+    let [start, end] = range;
+    let [first, last] = positive([0.0, 1.0], depth(start), depth(end))?;
+    let at = |t: f64| (1.0 - t) * start + t * end;
+    Some([at(first), at(last)]).filter(|[start, end]| start < end)
+}
+
+/// Twice the signed area of a triangle in the picture.
+fn side_of(a: Place, b: Place, c: Place) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// The part of a range where a linear function, given at 0 and 1, is not negative.
+fn positive([start, end]: [f64; 2], at_0: f64, at_1: f64) -> Option<[f64; 2]> {
+    let range = match (at_0 >= 0.0, at_1 >= 0.0) {
+        (true, true) => [start, end],
+        (true, false) => [start, end.min(at_0 / (at_0 - at_1))],
+        (false, true) => [start.max(at_0 / (at_0 - at_1)), end],
+        (false, false) => return None,
+    };
+    (range[0] < range[1]).then_some(range)
+}
+
+/// What is left of 0 to 1 without some parts, in pieces no shorter than given.
+fn rest(mut hidden: Vec<[f64; 2]>, short: f64) -> Vec<[f64; 2]> {
+    hidden.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let (mut pieces, mut reached) = (Vec::new(), 0.0);
+    for [start, end] in hidden.into_iter().chain([[1.0, 1.0]]) {
+        // The whole edge stays, however short.
+        if start - reached > short || [reached, start] == [0.0, 1.0] {
+            pieces.push([reached, start]);
+        }
+        reached = end.max(reached);
+    }
+    pieces
+}
+
+fn lerp(a: Point<2>, b: Point<2>, t: f64) -> Point<2> {
+    std::array::from_fn(|d| (1.0 - t) * a[d] + t * b[d])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A ball of radius 1, closed in u.
+    fn ball() -> Grid {
+        Grid::from_fn([49, 25], [true, false], |k, l| {
+            let (psi, fi) = (k as f64 * std::f64::consts::TAU / 48.0, l as f64 * std::f64::consts::PI / 24.0);
+            [fi.sin() * psi.cos(), fi.sin() * psi.sin(), fi.cos()]
+        })
+    }
+
+    fn length(line: &[Point<2>]) -> f64 {
+        line.windows(2).map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])).sum()
+    }
+
+    #[test]
+    fn the_front_half_of_a_ball_is_seen() {
+        let view = View::from_direction([0.3, -0.7, 0.2]);
+        let lines = visible_lines(&ball(), &view);
+        let seen: f64 = lines.iter().map(|line| length(line)).sum();
+        let all: f64 = grid_lines(&ball())
+            .iter()
+            .map(|line| length(&line.iter().map(|&n| view.place(ball().points()[n])).collect::<Vec<_>>()))
+            .sum();
+        // The cells across the outline are seen whole.
+        assert!((0.5..0.52).contains(&(seen / all)), "{}", seen / all);
+    }
+
+    #[test]
+    fn a_sheet_in_front_cuts_lines_exactly() {
+        // Two levels of one strip, seen from above: the upper one hides what lies under it.
+        let view = View::from_direction([0.0, -1e-9, 1.0]);
+        let strip = Grid::from_fn([5, 2], [false; 2], |k, l| {
+            let l = l as f64;
+            [
+                [-3.0, l, 0.0],
+                [3.0, l, 0.0],
+                [4.0, l, 1.0],
+                [1.0, 4.0 * l - 1.0, 2.0],
+                [-1.0, 4.0 * l - 1.0, 2.0],
+            ][k]
+        });
+        let lines = visible_lines(&strip, &view);
+        // The border v = 0 of the lower level is hidden between x = -1 and x = 1.
+        let ends = |x: f64| {
+            lines.iter().any(|line| line.iter().any(|p| (p[0] - x).abs() < 1e-6 && p[1].abs() < 1e-6))
+        };
+        assert!(ends(-1.0), "{lines:?}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        #[test]
+        fn pieces_and_hidden_parts_fill_the_edge(
+            hidden in prop::collection::vec((0.0..0.9, 0.0..0.5).prop_map(|(a, b): (f64, f64)| [a, (a + b).min(1.0)]), 0..6),
+        ) {
+            let pieces = rest(hidden.clone(), 0.0);
+            for step in 0..=1000 {
+                let t = f64::from(step) / 1000.0;
+                let inside = |parts: &[[f64; 2]]| parts.iter().any(|part| part[0] < t && t < part[1]);
+                prop_assert!(!(inside(&pieces) && inside(&hidden)));
+                let touches = |parts: &[[f64; 2]]| parts.iter().any(|part| part[0] <= t && t <= part[1]);
+                prop_assert!(touches(&pieces) || touches(&hidden));
+            }
+        }
+    }
+}
