@@ -23,8 +23,8 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ("A.FBS", NetKind::Fbs, hills(NetKind::Fbs, 80.0)),
         ("Z.FBS", NetKind::Fbs, one_raised()),
         ("A.FEM", NetKind::Fem, hills(NetKind::Fem, 70.0)),
-        ("A.ZMS", NetKind::Zms, lobes()),
-        ("A.ZMB", NetKind::Zmb, lobes()),
+        ("A.ZMS", NetKind::Zms, pebble()),
+        ("A.ZMB", NetKind::Zmb, pebble()),
         ("B.ZMS", NetKind::Zms, gourd()),
         ("B.ZMB", NetKind::Zmb, gourd()),
         ("K1.ZMS", NetKind::Zms, cube_on_an_edge()),
@@ -98,14 +98,22 @@ fn grid(kind: NetKind, spacing: f64, height: impl Fn(f64, f64) -> f64) -> Rows {
     (0..rows).map(row).collect()
 }
 
-/// A body with four lobes, symmetrical about the z axis.
-fn lobes() -> Rows {
-    let radii = [[0.0, 0.0], [85.0, 60.0], [160.0, 85.0], [120.0, 75.0], [0.0, 0.0]];
-    let heights = [110.0, 100.0, 10.0, -80.0, -110.0];
+/// A pebble: wide along x above, along y below. Opposite points of a circle are equally high, so the poles
+/// are smooth.
+fn pebble() -> Rows {
+    // Height of each circle, its mean radius, and how much it is wider along x than that.
+    let circles = [
+        (110.0, 0.0, 0.0),
+        (95.0, 95.0, 45.0),
+        (5.0, 135.0, 15.0),
+        (-85.0, 100.0, -45.0),
+        (-115.0, 0.0, 0.0),
+    ];
     rings(|k, l| {
-        let (sin, cos) = angle(k, MERIDIANS).sin_cos();
-        let radius = radii[l][k % 2];
-        [radius * cos, radius * sin, heights[l]]
+        let (z, radius, wider) = circles[l];
+        let along = angle(k, MERIDIANS);
+        let radius = radius + wider * (2.0 * along).cos();
+        [radius * along.cos(), radius * along.sin(), z]
     })
 }
 
