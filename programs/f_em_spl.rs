@@ -10,7 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_em_spl",
         about: Words("Magasságok spline felülete", "Spline surfaces of heights over a grid"),
-        keys: net::KEYS,
+        keys: net::FINER_KEYS,
         lesson: &[],
     },
     kind: NetKind::Fem,

@@ -10,7 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bezr",
         about: Words("Bézier-féle felületfolt", "The Bézier patch"),
-        keys: net::BEZIER_KEYS,
+        keys: net::FINER_KEYS,
         lesson: &[],
     },
     kind: NetKind::Fpb,

@@ -10,7 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_spln",
         about: Words("Nyílt spline felület", "Open spline surfaces"),
-        keys: net::KEYS,
+        keys: net::FINER_KEYS,
         lesson: &[],
     },
     kind: NetKind::Fps,

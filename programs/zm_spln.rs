@@ -10,7 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_spln",
         about: Words("Gömb topológiájú spline felület", "Spline surfaces closed like a sphere"),
-        keys: net::KEYS,
+        keys: net::FINER_KEYS,
         lesson: &[],
     },
     kind: NetKind::Zms,

@@ -10,7 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_spln",
         about: Words("Gyűrű topológiájú spline felület", "Spline surfaces closed like a ring"),
-        keys: net::KEYS,
+        keys: net::FINER_KEYS,
         lesson: &[],
     },
     kind: NetKind::Zys,

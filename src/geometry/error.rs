@@ -117,6 +117,13 @@ pub enum GeometryError {
         /// How many there are.
         given: usize,
     },
+    /// A net that cannot be refined without changing the surface.
+    NotRefinable {
+        /// The method's name.
+        method: &'static str,
+        /// Why, and what would be possible.
+        reason: &'static str,
+    },
     /// More samples than [`MAX_SAMPLES`](super::MAX_SAMPLES), or none.
     Samples {
         /// Steps asked for per span.
@@ -185,6 +192,9 @@ impl fmt::Display for GeometryError {
                 f,
                 "{given} meridians, but this method joins each with the opposite one: their number must be even"
             ),
+            Self::NotRefinable { method, reason } => {
+                write!(f, "a net of method {method} cannot be refined without changing the surface: {reason}")
+            }
             Self::Samples { per_span, most } => {
                 write!(f, "{per_span} steps per span asked for, but 1 to {most} can be given")
             }

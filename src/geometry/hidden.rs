@@ -9,11 +9,14 @@
 //! with the same pixels from both, so that neither covers the other's outline and no depth needs a bias.
 //!
 //! Where depths are exactly equal, outlines go before fills, then the larger colour before the smaller.
-//! So the order of drawing does not matter at all where all cells have the same two colours, and
-//! otherwise only where different colours meet at exactly one depth. Colours are numbers; what they
-//! look like, and the projection, are the caller's.
+//! So every pixel is the greatest of what the cells are there, and the order of drawing does not matter
+//! at all. Colours are numbers; what they look like, and the projection, are the caller's.
+
+mod pixel;
 
 use super::walk::Walk;
+pub use pixel::Pixel;
+use pixel::{Ink, OWNER};
 use std::array::from_fn;
 
 /// The largest width and height of a depth buffer in pixels.
@@ -27,6 +30,10 @@ const DEEP: f32 = 1e20;
 
 /// Rows of a triangle wider than this are narrowed by divisions before they are scanned.
 const WIDE: i64 = 16;
+
+/// Cells at most this many columns and rows larger than a pixel are first looked at whether all of them
+/// is hidden.
+const SMALL: i64 = 6;
 
 /// A corner in the picture: the pixel it falls on, and its depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,52 +56,6 @@ impl Vertex {
             y: self.y.clamp(-FAR_AWAY, FAR_AWAY),
             depth: self.depth.clamp(-DEEP, DEEP),
         })
-    }
-}
-
-/// One pixel of a depth buffer: its depth, whether an outline made it, its colour, and the number of the
-/// cell, from the highest bits to the lowest, so that of two the larger is the one to be seen. Zero where
-/// nothing is drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Pixel(u64);
-
-impl Pixel {
-    /// The colour drawn here, if anything is.
-    #[inline]
-    #[must_use]
-    pub fn color(self) -> Option<u8> {
-        (self.0 != 0).then_some((self.0 >> COLOR) as u8)
-    }
-}
-
-/// The lowest bit of a pixel's colour; below are the bits of the cell's number.
-const COLOR: u32 = 23;
-const OWNER: u64 = (1 << COLOR) - 1;
-/// The bit of an outline.
-const OUTLINE: u64 = 1 << 31;
-/// The lowest bit of a pixel's depth.
-const DEPTH: u32 = 32;
-
-/// What a pixel holds besides its depth.
-#[derive(Clone, Copy)]
-struct Ink(u64);
-
-impl Ink {
-    fn fill(color: u8, owner: u64) -> Ink {
-        Ink(u64::from(color) << COLOR | owner)
-    }
-
-    fn outline(color: u8, owner: u64) -> Ink {
-        Ink(OUTLINE | u64::from(color) << COLOR | owner)
-    }
-
-    #[inline]
-    fn at(self, depth: f32) -> Pixel {
-        // Zero has one sign only. The bits of positive numbers are in order; those of negative ones are
-        // in reverse.
-        let bits = (depth + 0.0).to_bits();
-        let order = bits ^ (((bits as i32 >> 31) as u32) | 1 << 31);
-        Pixel(u64::from(order) << DEPTH | self.0)
     }
 }
 
@@ -152,28 +113,18 @@ impl DepthBuffer {
     /// Draws a cell of a surface: four corners in their order around it, filled, and outlined if an edge
     /// colour is given. It is two triangles, parted by the diagonal from the first corner to the third
     /// unless only the other one lies inside of it as it is seen. Of a cell that is seen as a line or a
-    /// point only the outline is drawn; nothing of a cell with a depth that is no finite number.
+    /// point only the outline is drawn; nothing of a cell with a depth that is no finite number. Where two
+    /// sides of a twisted cell are seen to cross, its triangles reach beyond the outline.
     pub fn cell(&mut self, corners: &[Vertex; 4], fill: u8, edge: Option<u8>) {
         let [Some(a), Some(b), Some(c), Some(d)] = corners.map(Vertex::limited) else { return };
         let corners = [a, b, c, d];
-        let Some(owner) = self.owner_of(&corners) else { return };
-        let ink = Ink::fill(fill, owner);
-        // Within two by two pixels the outline is all, and it is the corners.
-        match edge {
-            Some(edge) if is_tiny(&corners) => {
-                let ink = Ink::outline(edge, owner);
-                corners.iter().for_each(|corner| self.point(*corner, ink));
-                return;
-            }
-            _ => {}
+        let Some((window, owner)) = self.begin(corners.into_iter(), edge) else { return };
+        if !window.is_empty() {
+            let ink = Ink::fill(fill, owner);
+            halves(corners).into_iter().for_each(|half| self.triangle(half, &window, ink));
         }
-        let folded = |one: i64, other: i64| (one < 0) != (other < 0) && one != 0 && other != 0;
-        let other_diagonal = folded(turn(a, b, c), turn(a, c, d)) && !folded(turn(b, c, d), turn(b, d, a));
-        let halves = if other_diagonal { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] };
-        halves.into_iter().for_each(|half| self.triangle(half, ink));
         if let Some(edge) = edge {
-            let ink = Ink::outline(edge, owner);
-            [(a, b), (b, c), (c, d), (d, a)].into_iter().for_each(|(a, b)| self.side(a, b, ink));
+            self.around(corners.into_iter(), Ink::outline(edge, owner));
         }
     }
 
@@ -185,15 +136,13 @@ impl DepthBuffer {
             return;
         }
         let limited = || corners.iter().filter_map(|corner| corner.limited());
-        let (Some(first), Some(owner)) = (limited().next(), self.owner_of(corners)) else { return };
-        let ink = Ink::fill(fill, owner);
+        let Some(first) = limited().next() else { return };
+        let Some((window, owner)) = self.begin(limited(), edge) else { return };
         for (b, c) in limited().skip(1).zip(limited().skip(2)) {
-            self.triangle([first, b, c], ink);
+            self.triangle([first, b, c], &window, Ink::fill(fill, owner));
         }
         if let Some(edge) = edge {
-            let ink = Ink::outline(edge, owner);
-            let followers = limited().skip(1).chain([first]);
-            limited().zip(followers).for_each(|(a, b)| self.side(a, b, ink));
+            self.around(limited(), Ink::outline(edge, owner));
         }
     }
 
@@ -202,8 +151,8 @@ impl DepthBuffer {
     /// end is given first. Nothing is drawn if a depth is no finite number.
     pub fn line(&mut self, from: Vertex, to: Vertex, color: u8) {
         let (Some(from), Some(to)) = (from.limited(), to.limited()) else { return };
-        if let Some(owner) = self.owner_of(&[from, to]) {
-            self.side(from, to, Ink::outline(color, owner));
+        if let Some((_, owner)) = self.begin([from, to].into_iter(), Some(color)) {
+            self.around([from, to].into_iter(), Ink::outline(color, owner));
         }
     }
 
@@ -222,36 +171,77 @@ impl DepthBuffer {
         self.pixels.chunks_exact(self.width().max(1)).enumerate()
     }
 
-    /// A new number for a cell; `None` if all of it is outside of the picture.
+    /// Begins a cell: where its fill may show, and its number; `None` if nothing of it can be seen.
     #[inline]
-    fn owner_of(&mut self, corners: &[Vertex]) -> Option<u64> {
-        let outside = |coordinate: fn(&Vertex) -> i32, size: i64| {
-            corners.iter().all(|corner| coordinate(corner) < 0)
-                || corners.iter().all(|corner| i64::from(coordinate(corner)) >= size)
-        };
-        if outside(|corner| corner.x, self.width) || outside(|corner| corner.y, self.height) {
+    fn begin(
+        &mut self,
+        corners: impl Iterator<Item = Vertex> + Clone,
+        edge: Option<u8>,
+    ) -> Option<(Extent, u64)> {
+        let extent = Extent::of(corners.clone());
+        let nearest = corners.map(|corner| corner.depth).fold(-DEEP, f32::max);
+        if self.hides(&extent, nearest) {
             return None;
         }
+        Some((self.window(&extent, edge), self.next_owner()))
+    }
+
+    /// Whether nothing of a cell can be seen: it is outside, or it is small and all there is nearer.
+    #[inline]
+    fn hides(&self, extent: &Extent, nearest: f32) -> bool {
+        let [left, top, right, bottom] =
+            [extent.left, extent.top, extent.right, extent.bottom].map(i64::from);
+        if right < 0 || bottom < 0 || left >= self.width || top >= self.height {
+            return true;
+        }
+        let whole = left >= 0 && top >= 0 && right < self.width && bottom < self.height;
+        if !whole || right - left > SMALL || bottom - top > SMALL {
+            return false;
+        }
+        let limit = Ink::fill(0, 0).at(nearest).least_nearer();
+        (top..=bottom).all(|y| {
+            // Inside of the picture, so not negative.
+            let (first, last) = (y * self.width + left, y * self.width + right);
+            let row = self.pixels.get(first as usize..=last as usize).unwrap_or_default();
+            row.iter().all(|pixel| *pixel >= limit)
+        })
+    }
+
+    /// The pixels that a cell's fill may show at: without the outermost of a cell with an outline, which
+    /// belong to that.
+    #[inline]
+    fn window(&self, extent: &Extent, edge: Option<u8>) -> Extent {
+        let margin = i32::from(edge.is_some());
+        Extent {
+            left: (extent.left + margin).max(0),
+            top: (extent.top + margin).max(0),
+            right: (extent.right - margin).min(self.width as i32 - 1),
+            bottom: (extent.bottom - margin).min(self.height as i32 - 1),
+        }
+    }
+
+    /// A new number for a cell.
+    #[inline]
+    fn next_owner(&mut self) -> u64 {
         if self.owner == OWNER {
-            self.pixels.iter_mut().for_each(|pixel| pixel.0 &= !OWNER);
+            self.pixels.iter_mut().for_each(|pixel| *pixel = pixel.disowned());
             self.owner = 0;
         }
         self.owner += 1;
-        Some(self.owner)
+        self.owner
     }
 
-    /// Fills a triangle, its boundary pixels included; nothing if it is seen as a line.
+    /// Fills a triangle, its boundary pixels included, within a window of the picture; nothing if it is
+    /// seen as a line.
     #[inline]
-    fn triangle(&mut self, [a, b, c]: [Vertex; 3], ink: Ink) {
+    fn triangle(&mut self, [a, b, c]: [Vertex; 3], window: &Extent, ink: Ink) {
         let area = turn(a, b, c);
         let (b, c) = if area < 0 { (c, b) } else { (b, c) };
-        let left = i64::from(a.x.min(b.x).min(c.x)).max(0);
-        let right = i64::from(a.x.max(b.x).max(c.x)).min(self.width - 1);
-        let top = i64::from(a.y.min(b.y).min(c.y)).max(0);
-        let bottom = i64::from(a.y.max(b.y).max(c.y)).min(self.height - 1);
-        if area == 0 || left > right || top > bottom {
+        let own = Extent::of([a, b, c]).common(window);
+        if area == 0 || own.is_empty() {
             return;
         }
+        let [left, top, right, bottom] = [own.left, own.top, own.right, own.bottom].map(i64::from);
         // The weights of the corners, times the area: whole numbers, none negative inside.
         let sides = [Side::new(b, c), Side::new(c, a), Side::new(a, b)];
         let mut starts = sides.each_ref().map(|side| side.weight(left, top));
@@ -269,7 +259,10 @@ impl DepthBuffer {
             for pixel in self.pixels.get_mut(range).unwrap_or_default() {
                 if (weights[0] | weights[1] | weights[2]) >= 0 {
                     let depth = a.depth + (weights[1] as f32 * to_b + weights[2] as f32 * to_c);
-                    *pixel = ink.at(depth.max(low).min(high)).max(*pixel);
+                    let (new, old) = (ink.at(depth.max(low).min(high)), *pixel);
+                    let shown = new.max(old);
+                    // Where it is as near as what is there, the own outline may go before that.
+                    *pixel = if new.is_as_near_as(old) { shown.owned_as(new) } else { shown };
                 }
                 weights = from_fn(|k| weights[k] + sides[k].across);
             }
@@ -277,15 +270,21 @@ impl DepthBuffer {
         }
     }
 
-    /// Draws a side of an outline, or a line: stepped from the left end or, where it is upright, from the
-    /// upper one, so that both neighbours of a side have the same pixels and depths of it.
+    /// Draws an outline: the corners and what is between them. A line is one around two corners.
+    #[inline]
+    fn around(&mut self, corners: impl Iterator<Item = Vertex> + Clone, ink: Ink) {
+        corners.clone().for_each(|corner| self.point(corner, ink));
+        let followers = corners.clone().skip(1).chain(corners.clone().next());
+        corners.zip(followers).for_each(|(a, b)| self.side(a, b, ink));
+    }
+
+    /// Draws a side of an outline between its ends: stepped from the left end or, where it is upright,
+    /// from the upper one, so that both neighbours of a side have the same pixels and depths of it.
     #[inline]
     fn side(&mut self, a: Vertex, b: Vertex, ink: Ink) {
         let (from, to) = if (b.x, b.y) < (a.x, a.y) { (b, a) } else { (a, b) };
         let walk = Walk::new([from.x, from.y], [to.x, to.y], [self.width, self.height]);
         if walk.length() <= 1 {
-            self.point(from, ink);
-            self.point(to, ink);
             return;
         }
         let slope = (to.depth - from.depth) / walk.length() as f32;
@@ -308,8 +307,7 @@ impl DepthBuffer {
     #[inline]
     fn outline(&mut self, at: usize, depth: f32, ink: Ink) {
         if let Some(pixel) = self.pixels.get_mut(at) {
-            let own = (pixel.0 ^ ink.0) & OWNER == 0;
-            let old = if own { Pixel(pixel.0 >> DEPTH << DEPTH | ink.0) } else { *pixel };
+            let old = if pixel.is_of(ink) { pixel.inked(ink).max(*pixel) } else { *pixel };
             *pixel = ink.at(depth).max(old);
         }
     }
@@ -360,10 +358,68 @@ fn turn(a: Vertex, b: Vertex, c: Vertex) -> i64 {
     i64::from(b.x - a.x) * i64::from(c.y - a.y) - i64::from(b.y - a.y) * i64::from(c.x - a.x)
 }
 
-/// Whether corners lie within two by two pixels.
+/// The two triangles of a cell.
 #[inline]
-fn is_tiny(corners: &[Vertex; 4]) -> bool {
-    let [xs, ys] = [corners.map(|corner| corner.x), corners.map(|corner| corner.y)];
-    let extent = |[a, b, c, d]: [i32; 4]| a.max(b).max(c).max(d) - a.min(b).min(c).min(d);
-    extent(xs) <= 1 && extent(ys) <= 1
+fn halves([a, b, c, d]: [Vertex; 4]) -> [[Vertex; 3]; 2] {
+    let folded = |one: i64, other: i64| (one < 0 && other > 0) || (one > 0 && other < 0);
+    let other_diagonal = folded(turn(a, b, c), turn(a, c, d)) && !folded(turn(b, c, d), turn(b, d, a));
+    if other_diagonal { [[b, c, d], [b, d, a]] } else { [[a, b, c], [a, c, d]] }
+}
+
+/// Columns and rows of the picture, the last ones included.
+struct Extent {
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+}
+
+impl Extent {
+    #[inline]
+    fn of(corners: impl IntoIterator<Item = Vertex>) -> Extent {
+        let nothing = Extent { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
+        corners.into_iter().fold(nothing, |extent, corner| Extent {
+            left: extent.left.min(corner.x),
+            top: extent.top.min(corner.y),
+            right: extent.right.max(corner.x),
+            bottom: extent.bottom.max(corner.y),
+        })
+    }
+
+    #[inline]
+    fn common(&self, other: &Extent) -> Extent {
+        Extent {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
+    }
+
+    #[inline]
+    fn is_empty(&self) -> bool {
+        self.left > self.right || self.top > self.bottom
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The numbers of cells begin anew without a cell being taken for another one.
+    #[test]
+    fn cells_are_told_apart_after_the_last_number() {
+        let square = |size: i32, depth: f32| {
+            [(0, 0), (size, 0), (size, size), (0, size)].map(|(x, y)| Vertex { x, y, depth })
+        };
+        let mut buffer = DepthBuffer::new(5, 5);
+        buffer.cell(&square(4, 2.0), 1, Some(2));
+        buffer.owner = OWNER;
+        // Reaching out of the picture, it is not left out as hidden, and is the first cell's namesake.
+        buffer.cell(&square(9, 1.0), 3, Some(4));
+        assert_eq!(buffer.owner, 1);
+        assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(2), Some(1)]);
+        buffer.cell(&square(4, 3.0), 5, Some(6));
+        assert_eq!([buffer.pixel(0, 0), buffer.pixel(2, 2)], [Some(6), Some(5)]);
+    }
 }

@@ -72,6 +72,9 @@ pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
-pub use surface::{Border, Derivatives, Grid, Patch, Scheme, Surface, SurfaceSample, Topology};
+pub use surface::{
+    Border, Derivatives, Grid, Patch, Plane, RefineDirection, Scheme, Surface, SurfaceSample, Topology,
+    refine, section,
+};
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

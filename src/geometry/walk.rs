@@ -20,12 +20,14 @@ struct Axis {
 }
 
 impl Axis {
+    #[inline]
     fn new(from: i32, to: i32, size: i64, pitch: i64) -> Axis {
         let length = i64::from(to) - i64::from(from);
         let sign = if length < 0 { -1 } else { 1 };
         Axis { start: i64::from(from), length: length.abs(), sign, size, pitch }
     }
 
+    #[inline]
     fn inside(&self) -> bool {
         let end = self.start + self.sign * self.length;
         (0..self.size).contains(&self.start) && (0..self.size).contains(&end)
@@ -41,13 +43,20 @@ impl Axis {
     }
 }
 
-/// A line's pixels inside of a picture that is stored row after row. The ends' coordinates are to be
-/// within ±2²⁸, so that products of two lengths fit.
+/// The pixels between a line's ends, inside of a picture that is stored row after row. The ends'
+/// coordinates are to be within ±2²⁸, so that products of two lengths fit.
 pub(super) struct Walk {
-    major: Axis,
-    minor: Axis,
-    /// The steps from the first end whose pixels lie inside.
+    /// The line's lengths in its two directions.
+    major: i64,
+    minor: i64,
+    /// The steps from the first end whose pixels lie inside, both ends left out.
     steps: Range<i64>,
+    /// The place in memory one step before them, and what a step in either direction adds.
+    at: i64,
+    ahead: i64,
+    aside: i64,
+    /// What the next steps go on from: the minor coordinate's remainder, in `0..2 * major`.
+    rest: i64,
 }
 
 impl Walk {
@@ -58,46 +67,57 @@ impl Walk {
         let down = Axis::new(from[1], to[1], height, width);
         let (major, minor) = if across.length >= down.length { (across, down) } else { (down, across) };
         let inside = across.inside() && down.inside();
-        let steps = if inside { 0..major.length + 1 } else { visible(&major, &minor) };
-        Walk { major, minor, steps }
+        let whole = Walk {
+            major: major.length,
+            minor: minor.length,
+            steps: 1..major.length,
+            at: across.start + down.start * width,
+            ahead: major.sign * major.pitch,
+            aside: minor.sign * minor.pitch,
+            rest: major.length,
+        };
+        if inside { whole } else { whole.clipped(&major, &minor) }
+    }
+
+    /// The walk without the steps whose pixels lie outside of the picture.
+    #[cold]
+    fn clipped(mut self, major: &Axis, minor: &Axis) -> Walk {
+        self.steps = visible(major, minor);
+        let before = self.steps.start - 1;
+        if before > 0 {
+            // There are steps, so the line is longer than a point.
+            let (value, whole) = (2 * self.minor * before + self.major, (2 * self.major).max(1));
+            self.at += self.ahead * before + self.aside * (value / whole);
+            self.rest = value % whole;
+        }
+        self
     }
 
     /// The number of steps from the first end to the last, clipped ones included.
     #[inline]
     pub(super) fn length(&self) -> i64 {
-        self.major.length
+        self.major
     }
 
-    /// Calls `plot` for every pixel inside with its step and its place in memory.
+    /// Calls `plot` for every one of the pixels with its step and its place in memory.
     #[inline]
-    pub(super) fn visit(&self, mut plot: impl FnMut(i64, usize)) {
-        let Walk { major, minor, ref steps } = *self;
-        let (mut shift, mut rest) = (0, major.length);
-        if steps.start > 0 {
-            let value = 2 * minor.length * steps.start + major.length;
-            // A line that begins with a later step is longer than a point.
-            (shift, rest) = (value / (2 * major.length).max(1), value % (2 * major.length).max(1));
-        }
-        let mut at = (major.start + major.sign * steps.start) * major.pitch
-            + (minor.start + minor.sign * shift) * minor.pitch;
-        for step in steps.clone() {
+    pub(super) fn visit(self, mut plot: impl FnMut(i64, usize)) {
+        let (mut at, mut rest) = (self.at, self.rest);
+        for step in self.steps {
+            rest += 2 * self.minor;
+            let aside = rest >= 2 * self.major;
+            rest -= if aside { 2 * self.major } else { 0 };
+            at += self.ahead + if aside { self.aside } else { 0 };
             // Inside of the picture, so not negative.
             plot(step, at as usize);
-            at += major.sign * major.pitch;
-            rest += 2 * minor.length;
-            if rest >= 2 * major.length {
-                rest -= 2 * major.length;
-                at += minor.sign * minor.pitch;
-            }
         }
     }
 }
 
-/// The steps whose pixels lie inside of the picture.
-#[cold]
+/// The steps between both ends whose pixels lie inside of the picture.
 fn visible(major: &Axis, minor: &Axis) -> Range<i64> {
     let (majors, minors) = (major.moves(), minor.moves());
-    let (mut first, mut last) = (majors.start.max(0), majors.end.min(major.length + 1));
+    let (mut first, mut last) = (majors.start.max(1), majors.end.min(major.length));
     if minor.length > 0 {
         first = first.max(step_of_shift(major, minor, minors.start));
         last = last.min(step_of_shift(major, minor, minors.end));

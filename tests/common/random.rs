@@ -57,6 +57,7 @@ fn key(dice: &mut Dice) -> Key {
         Key::F(5),
         Key::F(6),
         Key::F(7),
+        Key::F(8),
         Key::F(11),
         Key::Ctrl('Z'),
         Key::Ctrl('Z'),

@@ -34,7 +34,12 @@ impl Allowance {
 
 /// Plays every script of a folder whose name begins so, and compares the screens. Returns how many
 /// there were and the problems.
-fn compare_all(program: Program, folder: &str, prefix: &str, allowance: Allowance) -> (usize, Vec<String>) {
+fn compare_all(
+    program: Program,
+    folder: &str,
+    prefix: &str,
+    allowance: impl Fn(&str) -> Allowance,
+) -> (usize, Vec<String>) {
     let folder_path = path(folder);
     let mut scripts = 0;
     let mut problems = Vec::new();
@@ -51,7 +56,7 @@ fn compare_all(program: Program, folder: &str, prefix: &str, allowance: Allowanc
         let picture = format!("{name}.png");
         let ours = kept.pictures[&picture].pixels();
         let theirs = pictures::read(&folder_path.join(&picture));
-        if let Some(problem) = allowance.problem(ours, &theirs) {
+        if let Some(problem) = allowance(&name).problem(ours, &theirs) {
             let kept = pictures::keep_both(&name, ours, &theirs);
             problems.push(format!("{name}: {problem}, see {}", kept.display()));
         }
@@ -72,6 +77,17 @@ pub(crate) fn assert_screens_within(
     prefix: &str,
     count: usize,
     allowance: Allowance,
+) {
+    assert_screens_each(program, folder, prefix, count, |_| allowance);
+}
+
+/// As [`assert_screens`], with an allowance for each screen by its name.
+pub(crate) fn assert_screens_each(
+    program: Program,
+    folder: &str,
+    prefix: &str,
+    count: usize,
+    allowance: impl Fn(&str) -> Allowance,
 ) {
     let (scripts, problems) = compare_all(program, folder, prefix, allowance);
     assert!(problems.is_empty(), "{}", problems.join("\n"));

@@ -2,7 +2,6 @@
 
 use super::ask::ask_display;
 use super::model::{Index, Model, Part};
-use super::pending::{RefineDirection, refine};
 use super::plan::{Family, Form};
 use super::surface::Display;
 use super::{Editor, Stage};
@@ -10,7 +9,7 @@ use crate::editor::beta::{BIAS, TENSION};
 use crate::editor::choice::ask_real;
 use crate::editor::configuration::{Next, event, quit};
 use crate::editor::place::{ask_height, ask_place};
-use crate::geometry::Border;
+use crate::geometry::{Border, RefineDirection, refine};
 use crate::machine::{Key, Quit};
 use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Desk, Stay};
@@ -74,7 +73,7 @@ impl Editor {
                 }
             }
             (Key::F(7), _) => self.change_surface(desk, self.history.now().mirrored(2)),
-            (Key::F(8), Family::BSpline | Family::Bezier) => {
+            (Key::F(8), Family::BSpline | Family::Bezier | Family::Spline | Family::Heights) => {
                 if let Some(direction) = self.ask_direction(desk).await? {
                     match self.refined(direction) {
                         Ok(model) => self.change_surface(desk, model),
@@ -112,6 +111,9 @@ impl Editor {
     fn refresh(&mut self, desk: &mut Desk<'_>) -> bool {
         match self.draw_up(self.history.now()) {
             Ok(drawn) => {
+                if drawn.collapsed() {
+                    self.say(desk, words::COLLAPSED);
+                }
                 self.drawn = Some(drawn);
                 self.shown = true;
                 true
@@ -226,12 +228,16 @@ impl Editor {
         parameter: fn(&mut Form) -> &mut [f64; 2],
     ) -> Result<(), Quit> {
         let Some(direction) = self.ask_direction(desk).await? else { return Ok(()) };
-        let Some(value) = ask_real(desk, self, entry, range).await? else { return Ok(()) };
+        let Some(typed) = ask_real(desk, self, entry, TENSION).await? else { return Ok(()) };
+        let value = typed.clamp(*range.start(), *range.end());
         let mut model = self.history.now().clone();
         if let Some(place) = parameter(&mut model.form).get_mut(direction) {
             *place = value;
         }
         self.history.change(model);
+        if value != typed {
+            self.say(desk, words::taken_into(&range));
+        }
         if let Err(problem) = self.draw_up(self.history.now()) {
             desk.tell(problem, Stay::UntilRead);
         } else if self.follow && self.drawn.is_some() {

@@ -1,11 +1,10 @@
 //! Looking closer at a surface: zebra stripes, which break where the surface does, its Gaussian curvature,
 //! and a section by a plane.
 
-use super::pending::{Plane, section};
 use super::surface::{Drawn, draw_cells};
 use super::{Desk, Editor};
 use crate::editor::look::Look;
-use crate::geometry::{Point, Surface};
+use crate::geometry::{Plane, Point, Surface, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
@@ -146,7 +145,7 @@ fn places(surface: &Surface, steps: usize, [rows, columns]: [usize; 2]) -> impl 
 impl Place<'_> {
     fn zebra(&self, toward: Point<3>) -> Color {
         let ([i, j], [u, v]) = (self.spans, self.parameters);
-        let Some(normal) = self.surface.derivatives(i, j, u, v).and_then(|at| at.normal()) else {
+        let Some(normal) = self.surface.normal(i, j, u, v) else {
             return FLAT;
         };
         let cosine: f64 = normal.iter().zip(toward).map(|(a, b)| a * b).sum();

@@ -7,7 +7,6 @@ mod inspect;
 mod map;
 mod model;
 mod nets;
-mod pending;
 mod picture;
 mod plan;
 mod show;
@@ -100,7 +99,7 @@ const REFINE: KeyHelp = (Words("F8", "F8"), words::HELP_REFINE);
 const SHAPES: KeyHelp = (Words("A C", "A C"), words::HELP_SHAPES);
 const COEFFICIENTS: KeyHelp = (Words("C", "C"), words::HELP_K0);
 
-/// The keys for the help page of a program whose net is interpolated or that has no parameters.
+/// The keys for the help page of a program without parameters.
 pub const KEYS: &[KeyHelp] = &[
     CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, INSPECT, SECTION, MIRROR,
     SAVE, UNDO,
@@ -134,8 +133,8 @@ pub const B_SPLINE_KEYS: &[KeyHelp] = &[
     CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, BORDER, INSPECT, SECTION,
     MIRROR, REFINE, SAVE, UNDO,
 ];
-/// The keys for the Bézier patch.
-pub const BEZIER_KEYS: &[KeyHelp] = &[
+/// The keys for splines and the Bézier patch.
+pub const FINER_KEYS: &[KeyHelp] = &[
     CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, INSPECT, SECTION, MIRROR,
     REFINE, SAVE, UNDO,
 ];

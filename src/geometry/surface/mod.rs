@@ -6,11 +6,16 @@
 //! derivatives are written once for patches.
 
 mod grid;
+mod normal;
 mod patch;
+mod refine;
+mod section;
 mod weave;
 
 pub use grid::Grid;
 pub use patch::{Derivatives, Patch};
+pub use refine::{RefineDirection, refine};
+pub use section::{Plane, section};
 
 use super::point::{check_count, check_points, within_limit};
 use super::{Bezier, BoundingBox, Closure, GeometryError, MAX_SAMPLES, Method, Point};

@@ -1,0 +1,229 @@
+//! The surface programs as their user sees them: the originals' screens, our own golden pictures, random
+//! input.
+
+mod common;
+
+use common::reference::Allowance;
+use common::{Kept, pictures, play_script, random, reference};
+use grafika::file::{Document, Format};
+use grafika::launch::Program;
+use grafika::machine::{Memory, Storage};
+
+/// The programs as modules, and all of them in a table.
+macro_rules! programs {
+    ($($name:ident $file:literal)*) => {
+        $(#[path = $file] mod $name;)*
+        const PROGRAMS: &[Program] = &[$($name::PROGRAM),*];
+    };
+}
+
+programs! {
+    csav_gy "../programs/csav_gy.rs"
+    f_p_herm "../programs/f_p_herm.rs"
+    f_p_spln "../programs/f_p_spln.rs"
+    f_em_spl "../programs/f_em_spl.rs"
+    f_p_bezr "../programs/f_p_bezr.rs"
+    f_p_bspl "../programs/f_p_bspl.rs"
+    f_p_bets "../programs/f_p_bets.rs"
+    f_p_hspl "../programs/f_p_hspl.rs"
+    zm_spln "../programs/zm_spln.rs"
+    zm_bspl "../programs/zm_bspl.rs"
+    zm_betsp "../programs/zm_betsp.rs"
+    zm_hspl "../programs/zm_hspl.rs"
+    zy_spln "../programs/zy_spln.rs"
+    zy_bspl "../programs/zy_bspl.rs"
+    zy_betsp "../programs/zy_betsp.rs"
+    zy_hspl "../programs/zy_hspl.rs"
+}
+
+/// Numbers of the reference screens in the order of [`PROGRAMS`]: those of the original, and those of its
+/// copy with a fault mended, whose names have an X.
+const SCREENS: [[usize; 2]; 16] = [
+    [4, 0],
+    [15, 0],
+    [19, 0],
+    [10, 0],
+    [17, 0],
+    [22, 0],
+    [24, 21],
+    [19, 0],
+    [0, 8],
+    [18, 0],
+    [22, 21],
+    [20, 15],
+    [0, 10],
+    [20, 0],
+    [24, 0],
+    [19, 0],
+];
+
+/// Filled surfaces may differ a little more: the originals paint their cells from far to near by one
+/// corner, which is not always the order of what is nearest.
+const FILLED: Allowance = Allowance::Agreement(0.97);
+
+#[test]
+fn every_reference_script_gives_the_originals_screen() {
+    for (program, counts) in PROGRAMS.iter().zip(SCREENS) {
+        let name = program.manual.name.to_uppercase();
+        for (suffix, count) in ["_", "X_"].into_iter().zip(counts) {
+            let allowed = |screen: &str| match screen {
+                // The original's arrows stop before the poles; ours go on, so that the view after forty
+                // steps down and seventy up is another.
+                "F_P_HERM_Q_file" | "F_P_HERM_Q_mentes" | "F_P_HERM_Q_vege" => Allowance::Agreement(0.96),
+                screen if screen.ends_with("_D") => Allowance::Agreement(0.985),
+                _ => FILLED,
+            };
+            reference::assert_screens_each(
+                *program,
+                "reference/surfaces",
+                &format!("{name}{suffix}"),
+                count,
+                allowed,
+            );
+        }
+    }
+}
+
+fn program(name: &str) -> Program {
+    *PROGRAMS.iter().find(|program| program.manual.name == name).expect("there is such a program")
+}
+
+/// Plays a script from a new configuration; the end is kept as `end`.
+fn play(name: &str, rest: &str) -> Kept {
+    play_script(program(name), Memory::default(), &format!("key U\n{rest}\ndump end.json\nshot end.png\n"))
+}
+
+fn points(kept: &Kept) -> Vec<Vec<[f64; 3]>> {
+    serde_json::from_value(kept.models["end.json"]["points"].clone()).expect("the points are there")
+}
+
+const BUMP: &str = "key V\nkey 2\nkey 2\nkey 0\nkey Enter\nkey 0\nkey Enter\ntype 150\nkey Enter\n";
+
+#[test]
+fn golden_pictures() {
+    let cases = [
+        ("csav_gy", "surface_ring_filled", "key T\nkey Left\nkey Down\nkey Down"),
+        ("f_p_herm", "surface_hermite_part", "key V\nkey 1\nkey 0"),
+        ("f_p_spln", "surface_follow", &format!("key F3\n{BUMP}wait 2500")),
+        ("f_p_spln", "surface_drag", "move 331 260\npress left\nmove 331 160"),
+        (
+            "f_p_spln",
+            "surface_upside_down",
+            &format!("{BUMP}key F\nkey T\nmove 300 100\npress right\nmove 300 460\nrelease right"),
+        ),
+        ("f_em_spl", "surface_heights", "key V\nkey 3\nkey 2\ntype 160\nkey Enter\nkey F\nkey Up\nkey Left"),
+        (
+            "f_p_bspl",
+            "surface_border_doubled",
+            &format!("{BUMP}key F\nkey 3\nkey T\nkey Down\nkey Down\nkey Down\nkey Down"),
+        ),
+        (
+            "f_p_bspl",
+            "surface_border_reached",
+            &format!("{BUMP}key F\nkey 3\nkey T\nkey F4\nwait 2500\nkey Down\nkey Down\nkey Down\nkey Down"),
+        ),
+        ("zm_bspl", "surface_pole_hole", "key F\nkey 3\nkey T\nmove 300 300\npress right\nmove 300 360"),
+        (
+            "zm_bspl",
+            "surface_pole_closed",
+            "key F4\nkey F\nkey 3\nkey T\nmove 300 300\npress right\nmove 300 360",
+        ),
+        (
+            "zm_spln",
+            "surface_zebra",
+            "key V\nkey 6\nkey 2\ntype 40\nkey Enter\ntype -190\nkey Enter\ntype 50\nkey Enter\nkey F\nkey T\nkey F5\nwait 2500",
+        ),
+        (
+            "zy_spln",
+            "surface_curvature",
+            "key F\nkey T\nkey F5\nkey F5\nwait 2500\nkey Down\nkey Down\nkey Down\nkey Down\nkey Down\nkey Down",
+        ),
+        ("zy_spln", "surface_section", "key F\nkey T\nkey F6\nkey +\nkey +"),
+        ("zm_hspl", "surface_english", "key F2\nkey C\nkey V"),
+        ("zy_betsp", "surface_mirror_question", "key F7"),
+        ("f_p_bezr", "surface_elevated", &format!("{BUMP}key F8\nkey U\nkey F8\nkey V\nkey F3\nwait 2500")),
+        ("f_p_bets", "surface_critical", "key C\nkey U\ntype -6\nkey Enter"),
+        ("f_p_bspl", "surface_help", "key F1"),
+    ];
+    for (name, picture, script) in cases {
+        pictures::assert_golden(picture, &play(name, script).pictures["end.png"]);
+    }
+}
+
+#[test]
+fn a_click_chooses_a_drag_moves_and_both_are_undone() {
+    let before = points(&play("f_p_spln", ""));
+    let dragged = points(&play("f_p_spln", "drag 331 260 331 160"));
+    assert_eq!(before[2][2], [0.0; 3]);
+    // The height of a pixel upwards in a view of 14.7 degrees over the plane of x and y.
+    let view = grafika::geometry::View::from_direction(grafika::editor::net::VIEW);
+    let [right, up] = view.place(dragged[2][2]);
+    assert!(right.abs() < 1e-9 && (up - 100.0).abs() < 1e-9);
+    assert_eq!(points(&play("f_p_spln", "drag 331 260 331 160\nkey Ctrl+Z")), before);
+    assert_eq!(points(&play("f_p_spln", "drag 331 260 331 160\nkey Ctrl+Z\nkey Ctrl+Y")), dragged);
+    let typed =
+        points(&play("f_p_spln", "click 331 260\ntype 1\nkey Enter\ntype 2\nkey Enter\ntype 3\nkey Enter"));
+    assert_eq!(typed[2][2], [1.0, 2.0, 3.0]);
+    let [x, y] = view.pixel([-35.0, 0.0, 0.0], 1.0);
+    let heights = points(&play("f_em_spl", &format!("drag {x} {y} {} {}", x + 50.0, y - 80.0)));
+    let flat = points(&play("f_em_spl", ""));
+    for (moved, was) in heights.concat().iter().zip(flat.concat()) {
+        assert_eq!(moved[..2], was[..2]);
+    }
+    assert_ne!(heights, flat);
+}
+
+#[test]
+fn a_pole_moves_as_one() {
+    let moved = points(&play(
+        "zm_spln",
+        "key V\nkey 5\nkey 0\ntype 20\nkey Enter\ntype -10\nkey Enter\ntype 180\nkey Enter",
+    ));
+    for row in &moved {
+        assert_eq!(row[0], [20.0, -10.0, 180.0]);
+        assert_eq!(row[4], [0.0, 0.0, -120.0]);
+    }
+}
+
+#[test]
+fn arrows_turn_without_end() {
+    let start = play("zy_spln", "key F\nkey T");
+    for key in ["Up", "Down", "Left", "Right"] {
+        let round = play("zy_spln", &format!("key F\nkey T\n{}", format!("key {key}\n").repeat(120)));
+        assert!(round.pictures["end.png"] == start.pictures["end.png"], "{key}");
+    }
+}
+
+#[test]
+fn a_larger_net_is_saved_as_json_with_its_shape() {
+    let mut disk = Memory::default();
+    let script = "key U\nkey F8\nkey U\nkey Ctrl+S\ntype BIG\nkey Enter\ndump end.json\nkey F\nkey 3\nkey D\nshot end.png\n";
+    let kept = play_script(program("zy_bspl"), disk.clone(), script);
+    assert_eq!(points(&kept).len(), 16);
+    assert_eq!(kept.models["end.json"]["unsaved"], false);
+    // The same net again from a file.
+    let net = grafika::file::Net::new(grafika::file::NetKind::Zyb, points(&kept));
+    disk.write("BIG.JSON", Document::Net(net.clone()).to_json().unwrap().as_bytes()).unwrap();
+    assert!(Document::Net(net).write(Format::Zyb).is_err());
+    let coarse = play("zy_bspl", "key F\nkey 3\nkey D");
+    let agreement =
+        pictures::agreement(kept.pictures["end.png"].pixels(), coarse.pictures["end.png"].pixels());
+    // The same surface, drawn by other lines.
+    assert!(agreement > 0.9, "{agreement}");
+}
+
+#[test]
+fn a_recorded_session_replays_to_the_same_picture() {
+    for &program in PROGRAMS {
+        random::assert_replays(program, &random::script(7, 300));
+    }
+}
+
+/// Random events for every program. A hundred thousand each take long; `GRAFIKA_EVENTS` says how many.
+#[test]
+fn random_events_do_no_harm() {
+    let events = std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000);
+    for &program in PROGRAMS {
+        random::storm(program, events);
+    }
+}
