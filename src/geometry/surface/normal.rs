@@ -37,8 +37,7 @@ impl Surface {
     ///
     /// `None` where [`Surface::normal`] is, and when the direction has no length.
     #[must_use]
-    pub fn brightness(&self, place: ([usize; 2], [f64; 2]), light: Point<3>) -> Option<f64> {
-        let ([i, j], [u, v]) = place;
+    pub fn brightness(&self, i: usize, j: usize, u: f64, v: f64, light: Point<3>) -> Option<f64> {
         let length = norm(light);
         let normal = self.normal(i, j, u, v)?;
         let cosine = dot(normal, light.map(|x| x / length));
