@@ -6,7 +6,7 @@
 //! derivatives are written once for patches.
 
 mod grid;
-mod normal;
+mod inspect;
 mod patch;
 mod refine;
 mod section;
