@@ -7,7 +7,7 @@
 
 mod bspline;
 mod grid;
-mod normal;
+mod inspect;
 mod patch;
 mod refine;
 mod section;

@@ -1,5 +1,6 @@
-//! Normals where the derivatives alone have none: at the poles of a sphere's net, beside coinciding control
-//! points. They are limits along short ways into the patch.
+//! What a surface is judged by: normals, brightness in parallel light, Gaussian curvature; also where the
+//! derivatives alone have none, at the poles of a sphere's net and beside coinciding control points. There
+//! they are limits along short ways into the patch.
 
 use super::patch::dot;
 use super::{Body, Derivatives, Surface};
@@ -28,7 +29,23 @@ impl Surface {
         let size = self.largest_coordinate(i, j)?;
         let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let at = |u: f64, v: f64| clear_normal(&self.derivatives(i, j, u, v)?, size);
-        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| limit(at, [u, v], target)))
+        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| normal_limit(&at, way([u, v], target)?)))
+    }
+
+    /// The Gaussian curvature at a place as in [`Surface::eval`], as [`Derivatives::gaussian_curvature`]; at a
+    /// pole its limit along a way into the patch, to about 1e-5 of itself. Limits along other ways are the same
+    /// only where the surface is smooth enough.
+    ///
+    /// `None` where [`Surface::normal`] is, and where the curvature grows without limit.
+    #[must_use]
+    pub fn gaussian_curvature(&self, i: usize, j: usize, u: f64, v: f64) -> Option<f64> {
+        let size = self.largest_coordinate(i, j)?;
+        let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
+        let at = |u: f64, v: f64| {
+            let derivatives = self.derivatives(i, j, u, v)?;
+            clear_normal(&derivatives, size).and_then(|_| derivatives.gaussian_curvature())
+        };
+        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| curvature_limit(&at, way([u, v], target)?)))
     }
 
     /// The brightness of a place in parallel light: the cosine of the angle between the normal and the
@@ -37,8 +54,7 @@ impl Surface {
     ///
     /// `None` where [`Surface::normal`] is, and when the direction has no length.
     #[must_use]
-    pub fn brightness(&self, place: ([usize; 2], [f64; 2]), light: Point<3>) -> Option<f64> {
-        let ([i, j], [u, v]) = place;
+    pub fn brightness(&self, i: usize, j: usize, u: f64, v: f64, light: Point<3>) -> Option<f64> {
         let length = norm(light);
         let normal = self.normal(i, j, u, v)?;
         let cosine = dot(normal, light.map(|x| x / length));
@@ -68,20 +84,36 @@ fn clear_normal(at: &Derivatives, size: f64) -> Option<Point<3>> {
     (sine > NARROW).then(|| normal.map(|x| x / sine))
 }
 
-/// The value at the beginning of a way from values at four equal steps of it, by the cubic through them.
-/// `None` when they are no limit: one is missing, or they turn too fast.
-fn limit(at: impl Fn(f64, f64) -> Option<Point<3>>, [u, v]: [f64; 2], target: [f64; 2]) -> Option<Point<3>> {
-    let way = scaled_difference(1.0, [u, v], target);
-    if norm(way) < 0.05 {
+/// Four places in equal steps from a place towards another; none when the other is too near.
+fn way([u, v]: [f64; 2], target: [f64; 2]) -> Option<[[f64; 2]; 4]> {
+    let whole = scaled_difference(STEP, [u, v], target);
+    let place = |step: f64| [u + step * whole[0], v + step * whole[1]];
+    (norm(whole) > 0.05 * STEP).then(|| [1.0, 2.0, 3.0, 4.0].map(place))
+}
+
+/// The value one step before four values in equal steps, by the cubic through them.
+fn before([a, b, c, d]: [f64; 4]) -> f64 {
+    4.0 * (a + c) - 6.0 * b - d
+}
+
+/// The normal where a way begins; `None` when one is missing on it, or they turn too fast to have a limit.
+fn normal_limit(at: impl Fn(f64, f64) -> Option<Point<3>>, way: [[f64; 2]; 4]) -> Option<Point<3>> {
+    let [a, b, c, d] = way.map(|[u, v]| at(u, v));
+    let (a, b, c, d) = (a?, b?, c?, d?);
+    if [b, c, d].iter().any(|&other| dot(a, other) < 0.9) {
         return None;
     }
-    let place = |step: f64| at(u + step * STEP * way[0], v + step * STEP * way[1]);
-    let normals = [place(1.0)?, place(2.0)?, place(3.0)?, place(4.0)?];
-    if normals.iter().any(|&other| dot(normals[0], other) < 0.9) {
-        return None;
-    }
-    let [a, b, c, d] = normals;
-    let start: Point<3> = std::array::from_fn(|x| 4.0 * (a[x] + c[x]) - 6.0 * b[x] - d[x]);
+    let start: Point<3> = std::array::from_fn(|x| before([a[x], b[x], c[x], d[x]]));
     let length = norm(start);
     (length > 0.5).then(|| start.map(|x| x / length))
+}
+
+/// The curvature where a way begins; `None` when one is missing on it, or they grow too fast to have a limit.
+fn curvature_limit(at: impl Fn(f64, f64) -> Option<f64>, way: [[f64; 2]; 4]) -> Option<f64> {
+    let [a, b, c, d] = way.map(|[u, v]| at(u, v));
+    let values = [a?, b?, c?, d?];
+    let largest = values.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let start = before(values);
+    // A pole of order 1 would be extrapolated to 4 - 3 + 4/3 - 1/4, more than twice the largest value.
+    (start.abs() <= 1.5 * largest).then_some(start)
 }
