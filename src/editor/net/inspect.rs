@@ -155,8 +155,7 @@ impl Place<'_> {
 
     fn curvature(&self, size: f64) -> Color {
         let ([i, j], [u, v]) = (self.spans, self.parameters);
-        let at = self.surface.derivatives(i, j, u, v);
-        let Some(curvature) = at.and_then(|at| at.gaussian_curvature()) else { return FLAT };
+        let Some(curvature) = self.surface.gaussian_curvature(i, j, u, v) else { return FLAT };
         // A ball as large as the surface has curvature 4 in this unit.
         let relative = curvature * size * size;
         let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();

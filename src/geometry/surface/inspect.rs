@@ -29,7 +29,7 @@ impl Surface {
         let size = self.largest_coordinate(i, j)?;
         let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let at = |u: f64, v: f64| clear_normal(&self.derivatives(i, j, u, v)?, size);
-        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| normal_limit(&at, way([u, v], target)?)))
+        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| normal_limit(at, way([u, v], target)?)))
     }
 
     /// The Gaussian curvature at a place as in [`Surface::eval`], as [`Derivatives::gaussian_curvature`]; at a
@@ -45,7 +45,7 @@ impl Surface {
             let derivatives = self.derivatives(i, j, u, v)?;
             clear_normal(&derivatives, size).and_then(|_| derivatives.gaussian_curvature())
         };
-        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| curvature_limit(&at, way([u, v], target)?)))
+        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| curvature_limit(at, way([u, v], target)?)))
     }
 
     /// The brightness of a place in parallel light: the cosine of the angle between the normal and the

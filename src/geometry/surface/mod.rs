@@ -34,7 +34,7 @@ pub enum Topology {
 }
 
 impl Topology {
-    /// Its name: `open`, `sphere`, `torus`.
+    /// What it is like: `plane`, `sphere`, `torus`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -128,8 +128,8 @@ fn over_the_poles(method: Method, net: &[Vec<Point<3>>]) -> Result<(Rows, Direct
     Ok((near, Direction { spans, cells: 1, half_ends: false, closed: false, smoothness: smoothness(method) }))
 }
 
-/// Auxiliary points beyond the poles, one for each meridian, such that all tangents of the surface at a
-/// pole lie in one plane (3.51-3.56).
+/// Auxiliary points beyond the poles, one for each meridian, such that the tangents of the surface at a pole
+/// sum to zero, and lie in one plane if the points around the pole do (3.51-3.56).
 fn with_poles(bias: f64, method: Method, net: &[Vec<Point<3>>]) -> Result<(Rows, Direction), GeometryError> {
     method.check()?;
     let cube = bias * bias * bias;
