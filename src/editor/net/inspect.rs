@@ -41,8 +41,8 @@ pub(super) struct Section {
 const STEP: f64 = 10.0;
 /// Cells of a net's cell that colours are told by.
 const FINE: usize = 28;
-/// The fewest and most cells along a direction of the whole surface.
-const MOST_CELLS: usize = 400;
+/// The most cells along a direction of the whole surface.
+const MOST_CELLS: usize = 256;
 /// Stripes from the middle of the surface to its rim.
 const STRIPES: f64 = 12.0;
 
@@ -89,7 +89,7 @@ impl Editor {
         normal[axis.min(2)] = 1.0;
         let name = ["x", "y", "z"][axis.min(2)];
         screen.text(560, 66, &format!("{name} = {offset}"), Color::Yellow);
-        let Ok(lines) = section(&drawn.surface, Plane { normal, offset }, self.plan.steps) else { return };
+        let Ok(lines) = section(&drawn.surface, Plane { normal, offset }, drawn.steps) else { return };
         for line in lines {
             let pixels: Vec<(i32, i32)> = line.into_iter().map(|point| look.to_screen(point)).collect();
             screen.polyline(&pixels, Stroke::thick(Color::Yellow));

@@ -22,6 +22,8 @@ pub(super) enum Display {
 pub(super) struct Drawn {
     pub(super) surface: Surface,
     pub(super) grid: Grid,
+    /// Steps that a cell of the net has in the grid.
+    pub(super) steps: usize,
 }
 
 /// Points nearer to a line than this part of its length are on it.
@@ -61,7 +63,7 @@ impl Editor {
         // Large nets are drawn in larger steps, to keep the picture quick and readable.
         let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
         let grid = surface.grid(steps).map_err(|error| words::no_surface(&error))?;
-        Ok(Drawn { surface, grid })
+        Ok(Drawn { surface, grid, steps })
     }
 
     pub(super) fn fill(&self) -> Fill {
