@@ -1,12 +1,13 @@
 //! How quickly the programs answer: from the start to the first picture, and one redraw with 99 points.
 //!
 //! Goals: start to first picture in a script 30 ms; GB_2D_IP with a closed spline by 99 points 1 ms; the other
-//! curve programs at 99 points and 500 samples a span 2 ms; reading an `.IP2` 20 µs.
+//! curve programs at 99 points and 500 samples a span 2 ms; a surface turned by an arrow 2 ms; reading an
+//! `.IP2` 20 µs.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use grafika::editor::{plane, space};
-use grafika::file::{Document, Format, PlanePoints, SpacePoints};
-use grafika::machine::{Event, Machine, Memory, Outlet, Quit, Script, Session, Settings, Storage, play};
+use grafika::editor::{net, plane, space};
+use grafika::file::{Document, Format, NetKind, PlanePoints, SpacePoints};
+use grafika::machine::{Event, Key, Machine, Memory, Outlet, Quit, Script, Session, Settings, Storage, play};
 use grafika::screen::Screen;
 use grafika::ui::{Manual, Words};
 use std::hint::black_box;
@@ -93,6 +94,34 @@ fn redraws(c: &mut Criterion) {
     bench("gb_3d_bt, closed", space_session(space::Tools::Beta, &format!("{load}type gz")));
 }
 
+/// The plan of ZM_HSPL, whose default picture is the largest.
+const SPHERE: net::Plan = net::Plan {
+    manual: MANUAL,
+    kind: NetKind::Zms,
+    reads: &[],
+    family: net::Family::Local,
+    start: net::Start::Sphere(160.0),
+    steps: 10,
+    view: net::VIEW,
+};
+
+/// A step of an arrow key with a surface in the picture.
+fn turning(c: &mut Criterion) {
+    let mut group = c.benchmark_group("turn a surface");
+    for (name, script) in [
+        ("wires", "key U\nkey F\nkey D"),
+        ("filled", "key U\nkey F\nkey T"),
+        ("zebra", "key U\nkey F\nkey T\nkey F5"),
+        ("section", "key U\nkey F\nkey T\nkey F6"),
+    ] {
+        let run = |mut machine: Machine| async move { net::run(&mut machine, SPHERE, None).await };
+        let mut session = session(run, script);
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| session.send(black_box(Event::Key(Key::Left)), Duration::ZERO));
+        });
+    }
+}
+
 fn start(c: &mut Criterion) {
     let folder = std::env::temp_dir();
     let script = folder.join("grafika-bench-start.script");
@@ -113,5 +142,5 @@ fn reading(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, redraws, start, reading);
+criterion_group!(benches, redraws, turning, start, reading);
 criterion_main!(benches);

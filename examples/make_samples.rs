@@ -4,7 +4,11 @@
 //! `A.IP3` and `B.IP3`; what exactly was in them is lost. These show what the book shows with such files: closed
 //! frames, multiple points (2.3.4 to 2.3.6), tangents (2.3.3), a measured curve with noise and with an error
 //! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
-//! Fourier curve (2.2) near `A.IP2`. The same bytes come out every time.
+//! Fourier curve (2.2) near `A.IP2`. The nets of chapter 3 are in `make_samples/nets.rs`. The same bytes come
+//! out every time.
+
+#[path = "make_samples/nets.rs"]
+mod nets;
 
 use grafika::editor::fourier::coefficients;
 use grafika::file::{Document, FileError, Format, PlanePoints, SpacePoints};
@@ -46,7 +50,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ("A.EC2", Document::PlanePoints(clef()).write(Format::Ec2)),
     ];
     let single = single.into_iter().map(|(name, bytes)| Ok((name, bytes?)));
-    plane.chain(space).chain(single).collect()
+    plane.chain(space).chain(single).chain(nets::samples()?.into_iter().map(Ok)).collect()
 }
 
 /// A treble clef in one open stroke: few points, and tangents that say the rest.

@@ -131,7 +131,7 @@ fn golden_pictures() {
         (
             "zm_spln",
             "surface_zebra",
-            "key V\nkey 2\nkey 2\nkey 0\nkey Enter\ntype 180\nkey Enter\ntype 30\nkey Enter\nkey F\nkey T\nkey F5\nwait 2500",
+            "key V\nkey 6\nkey 2\ntype 40\nkey Enter\ntype -190\nkey Enter\ntype 50\nkey Enter\nkey F\nkey T\nkey F5\nwait 2500",
         ),
         (
             "zy_spln",

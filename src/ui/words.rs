@@ -391,6 +391,10 @@ pub(crate) const BORDER_DOUBLED: Words =
     Words("A felület a perem előtt ér véget", "It stops before the border");
 pub(crate) const NO_FILES: Words = Words("Ez a program nem nyit meg filet", "this program opens no files");
 pub(crate) const HELP_END: Words = Words("vége", "end");
+pub(crate) const COLLAPSED: Words = Words(
+    "A háló egy vonalon fekszik: a felület vonallá zsugorodik",
+    "The net lies on a line, and so does the surface",
+);
 pub(crate) const NOT_A_NET: Words =
     Words("Ebben a fileban nincs kontrollháló", "This file holds no control net");
 pub(crate) const HELP_NET_CHANGE: Words =
@@ -436,8 +440,22 @@ pub(crate) fn height_of([k, l]: [usize; 2], height: f64) -> Phrase {
     Phrase::new(format!("Sorszám: {k}, {l} Magasság: z ={z}"), format!("Number: {k}, {l} Height: z ={z}"))
 }
 
+/// A number outside its range has been moved into it.
+pub(crate) fn taken_into(range: &std::ops::RangeInclusive<f64>) -> Phrase {
+    let (least, most) = (range.start(), range.end());
+    Phrase::new(
+        format!("Csak {least} és {most} között lehet: a legközelebbit vettem"),
+        format!("It must be {least} to {most}: the nearest is taken"),
+    )
+}
+
 /// Why there is no surface. The rarer reasons have their sentence in English only.
 pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
+    if let GeometryError::OddMeridians { given } = error {
+        let hungarian =
+            format!("{given} délgörbe: a számuk páros kell legyen, mert szemköztiek kapcsolódnak");
+        return Phrase::new(hungarian, error.to_string());
+    }
     let GeometryError::CriticalTension { bias, critical, .. } = error else { return plain(error) };
     Phrase::new(
         format!("{bias:.2} eltolásnál a {critical:.2} feszültség kritikus: nincs felület. Más kell: C"),

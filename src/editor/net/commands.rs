@@ -111,6 +111,9 @@ impl Editor {
     fn refresh(&mut self, desk: &mut Desk<'_>) -> bool {
         match self.draw_up(self.history.now()) {
             Ok(drawn) => {
+                if drawn.collapsed() {
+                    self.say(desk, words::COLLAPSED);
+                }
                 self.drawn = Some(drawn);
                 self.shown = true;
                 true
@@ -225,12 +228,16 @@ impl Editor {
         parameter: fn(&mut Form) -> &mut [f64; 2],
     ) -> Result<(), Quit> {
         let Some(direction) = self.ask_direction(desk).await? else { return Ok(()) };
-        let Some(value) = ask_real(desk, self, entry, range).await? else { return Ok(()) };
+        let Some(typed) = ask_real(desk, self, entry, TENSION).await? else { return Ok(()) };
+        let value = typed.clamp(*range.start(), *range.end());
         let mut model = self.history.now().clone();
         if let Some(place) = parameter(&mut model.form).get_mut(direction) {
             *place = value;
         }
         self.history.change(model);
+        if value != typed {
+            self.say(desk, words::taken_into(&range));
+        }
         if let Err(problem) = self.draw_up(self.history.now()) {
             desk.tell(problem, Stay::UntilRead);
         } else if self.follow && self.drawn.is_some() {
