@@ -8,7 +8,7 @@ use super::mesh::Mesh;
 use crate::geometry::{BSplineSurface, Point, Rim, Surface};
 use std::fmt::{self, Write};
 
-/// The highest degree that CAD kernels read (Open CASCADE and Parasolid's exchange).
+/// The highest degree that Open CASCADE reads, the kernel of FreeCAD among others.
 const MOST_DEGREES: usize = 25;
 /// Steps a cell that tell the inside of a closed surface from the outside.
 const LOOK: usize = 4;
