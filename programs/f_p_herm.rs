@@ -1,4 +1,4 @@
-//! F_P_HERM: a Hermite patch: corners, tangents, twists (chapter 3.3). All of it is the surface editor.
+//! F_P_HERM: a Hermite patch: corners, tangents, twists (chapter 3.3.1). All of it is the surface editor.
 
 use grafika::editor::net::{self, Family, Plan, Start};
 use grafika::file::NetKind;
@@ -23,7 +23,7 @@ const PLAN: Plan = Plan {
 
 pub(crate) const PROGRAM: Program = Program {
     manual: PLAN.manual,
-    chapter: "3.3",
+    chapter: "3.3.1",
     run: |machine, file| Box::pin(net::run(machine, PLAN, file)),
     check: |document| net::check(&PLAN, document),
 };

@@ -1,4 +1,4 @@
-//! ZM_BSPL: B-spline surfaces closed like a sphere (chapter 3.6). All of it is the surface editor.
+//! ZM_BSPL: B-spline surfaces closed like a sphere (chapter 3.3.4). All of it is the surface editor.
 
 use grafika::editor::net::{self, Family, Plan, Start};
 use grafika::file::NetKind;
@@ -23,7 +23,7 @@ const PLAN: Plan = Plan {
 
 pub(crate) const PROGRAM: Program = Program {
     manual: PLAN.manual,
-    chapter: "3.6",
+    chapter: "3.3.4",
     run: |machine, file| Box::pin(net::run(machine, PLAN, file)),
     check: |document| net::check(&PLAN, document),
 };

@@ -1,4 +1,4 @@
-//! ZM_HSPL: surfaces like a sphere by local splines (chapter 3.8). All of it is the surface editor.
+//! ZM_HSPL: surfaces like a sphere by local splines (chapter 3.3.6). All of it is the surface editor.
 
 use grafika::editor::net::{self, Family, Plan, Start};
 use grafika::file::NetKind;
@@ -23,7 +23,7 @@ const PLAN: Plan = Plan {
 
 pub(crate) const PROGRAM: Program = Program {
     manual: PLAN.manual,
-    chapter: "3.8",
+    chapter: "3.3.6",
     run: |machine, file| Box::pin(net::run(machine, PLAN, file)),
     check: |document| net::check(&PLAN, document),
 };
