@@ -71,7 +71,8 @@ impl SurfaceArgs {
         let failure = |error: GeometryError| Failure::work(format!("{name}: {error}"));
         let topology = net.kind.topology();
         let method = method_of(net, common.method)?;
-        let border = if self.extended { Border::Reached } else { Border::Doubled };
+        let extended = self.extended || net.settings.extended == Some(true);
+        let border = if extended { Border::Reached } else { Border::Doubled };
         if self.extended && (method != MethodName::BSpline3 || topology == Topology::Torus) {
             return Err(Failure::usage(
                 "--extended leads a cubic B-spline (--method bspline3) to its borders; this surface has none that it misses",

@@ -86,6 +86,9 @@ pub struct NetSettings {
     /// Tensions of a beta-spline (half of Barsky's).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension: Option<[f64; 2]>,
+    /// Whether a cubic B-spline is led to its borders and poles instead of ending before them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub extended: Option<bool>,
 }
 
 impl CurveSettings {

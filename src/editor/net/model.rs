@@ -85,7 +85,7 @@ impl Model {
         let mut model = self.clone();
         let [down, right] = part.offset();
         let [_, columns] = self.shape();
-        let pole = plan.topology() == Topology::Sphere && (l == 0 || l + 1 == columns);
+        let pole = plan.kind.topology() == Topology::Sphere && (l == 0 || l + 1 == columns);
         let rows = if pole { 0..self.net.len() } else { k + down..k + down + 1 };
         for row in rows {
             if let Some(point) = model.net.get_mut(row).and_then(|row| row.get_mut(l + right)) {
@@ -132,7 +132,7 @@ impl Model {
         }
         let shape = [net.points.len(), net.points.first().map_or(0, Vec::len)];
         let least = plan.kind.shape().map(|count| {
-            count.min(match plan.topology() {
+            count.min(match plan.kind.topology() {
                 Topology::Open => 2,
                 Topology::Sphere | Topology::Torus => 3,
             })
@@ -145,20 +145,21 @@ impl Model {
         if !fits || !near || net.points.iter().any(|row| row.len() != shape[1]) {
             return Err(words::net_size(shape, least, MOST));
         }
-        let NetSettings { k0, bias, tension, .. } = net.settings;
+        let NetSettings { k0, bias, tension, extended, .. } = net.settings;
         let form = Form {
             k0: k0.unwrap_or(form.k0),
             bias: bias.unwrap_or(form.bias),
             tension: tension.unwrap_or(form.tension),
         };
-        let model = Model { net: net.points.clone(), form, border: Border::Doubled };
+        let border = if extended == Some(true) { Border::Reached } else { Border::Doubled };
+        let model = Model { net: net.points.clone(), form, border };
         Ok(model.with_one_pole(plan))
     }
 
     /// Files in single precision have the poles apart by rounding.
     fn with_one_pole(self, plan: &Plan) -> Model {
         let [_, columns] = self.shape();
-        match plan.topology() {
+        match plan.kind.topology() {
             Topology::Sphere => [0, columns.saturating_sub(1)].iter().fold(self, |model, &l| {
                 let pole = model.point([0, l]).unwrap_or_default();
                 model.with_part(plan, [0, l], Part::Place, pole)
@@ -177,6 +178,7 @@ impl Model {
                 k0: (plan.family == Family::Local).then_some(form.k0),
                 bias: (plan.family == Family::Beta).then_some(form.bias),
                 tension: (plan.family == Family::Beta).then_some(form.tension),
+                extended: (self.border == Border::Reached).then_some(true),
             };
         }
         net

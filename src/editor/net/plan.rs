@@ -75,18 +75,9 @@ impl Plan {
         }
     }
 
-    /// What the surface is joined by.
-    pub(super) fn topology(&self) -> Topology {
-        match self.kind {
-            NetKind::Zms | NetKind::Zmb => Topology::Sphere,
-            NetKind::Zys | NetKind::Zyb | NetKind::Zyp => Topology::Torus,
-            _ => Topology::Open,
-        }
-    }
-
     /// Whether the rows and the points in them are joined in the picture of the net.
     pub(super) fn closed(&self) -> [bool; 2] {
-        match self.topology() {
+        match self.kind.topology() {
             Topology::Open => [false, false],
             Topology::Sphere => [true, false],
             Topology::Torus => [true, true],
@@ -104,7 +95,7 @@ impl Plan {
             Family::BSpline => [degree.method(); 2],
             Family::Beta => [0, 1].map(|d| Method::Beta { bias: form.bias[d], tension: form.tension[d] }),
         };
-        Some(Scheme { u: methods[0], v: methods[1], topology: self.topology(), border })
+        Some(Scheme { u: methods[0], v: methods[1], topology: self.kind.topology(), border })
     }
 }
 
