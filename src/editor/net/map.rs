@@ -71,7 +71,8 @@ impl Map {
             let left = if name.len() > 1 { 28 } else { 36 };
             screen.text(left, self.center([0, l]).1 - 2, &name, Color::Black);
         }
-        let right = self.center([rows.saturating_sub(1), 0]).0;
+        // Behind the last number, which may have two digits.
+        let right = self.center([rows.saturating_sub(1), 0]).0 + if rows > 10 { 8 } else { 0 };
         for (x, y, letter) in [(20, 20, "l"), (right + 10, 44, "k"), (170, 30, "u"), (140, 4, "v")] {
             screen.text(x, y, letter, Color::LightRed);
         }
