@@ -4,7 +4,7 @@
 
 use super::Wheel;
 use super::ball::Ball;
-use super::moves::{Move, Tail};
+use super::moves::Move;
 use super::patterns::Patterns;
 
 /// No way longer than this is followed.
@@ -14,8 +14,9 @@ const LONGEST: usize = 60;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Reached {
     score: u16,
+    /// Positions of the same score are taken as if by lot: any other order would prefer one kind of them.
+    lot: u32,
     wheel: Wheel,
-    tail: Tail,
     step: Step,
 }
 
@@ -24,6 +25,13 @@ struct Reached {
 struct Step {
     from: u32,
     a_move: Move,
+}
+
+/// A number that depends on the whole position.
+fn lot(wheel: &Wheel) -> u32 {
+    let [a, b, c] = wheel.planes.map(u64::from);
+    let mixed = (a ^ b << 31).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ c.wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    ((mixed ^ mixed >> 29).wrapping_mul(0x94D0_49BB_1331_11EB) >> 32) as u32
 }
 
 /// A beam that can be interrupted.
@@ -44,7 +52,7 @@ impl Beam {
     /// A beam from a position that follows at most `width` positions at a time.
     pub(super) fn new(start: Wheel, width: usize) -> Beam {
         let step = Step { from: 0, a_move: Move::A };
-        let start = Reached { score: 0, wheel: start, tail: Tail::default(), step };
+        let start = Reached { score: 0, lot: 0, wheel: start, step };
         Beam { width, layer: vec![start], steps: Vec::new(), next: 0, reached: Vec::new() }
     }
 
@@ -81,9 +89,9 @@ impl Beam {
         ball: &Ball,
         budget: &mut u64,
     ) {
-        let (Some(tail), Some(wheel)) = (parent.tail.then(a_move), parent.wheel.after(a_move)) else {
-            return;
-        };
+        // Turns of different rings are tried in every order: only one of them may have been taken into the beam.
+        let back = !self.steps.is_empty() && a_move == parent.step.a_move.inverse();
+        let Some(wheel) = parent.wheel.after(a_move).filter(|_| !back) else { return };
         *budget = budget.saturating_sub(1);
         let made = self.steps.len() + 1;
         let distances = patterns.distances(&wheel);
@@ -106,7 +114,7 @@ impl Beam {
             return;
         }
         let score = distances.into_iter().map(|distance| u16::from(distance).pow(2)).sum();
-        self.reached.push(Reached { score, wheel, tail, step });
+        self.reached.push(Reached { score, lot: lot(&wheel), wheel, step });
     }
 
     /// The moves up to a step out of the outermost layer.

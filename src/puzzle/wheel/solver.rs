@@ -22,14 +22,17 @@ enum Stage {
 
 /// The plan: what is cheap and helps most comes first. A beam of 1000 gives a way for every position within
 /// a fraction of a second.
-const PLAN: [Stage; 9] = [
+const PLAN: [Stage; 12] = [
     Stage::Patterns,
     Stage::Ball(6),
     Stage::Deepen(12),
     Stage::Beam(1000),
-    Stage::Ball(8),
+    Stage::Ball(7),
     Stage::Deepen(15),
-    Stage::Beam(10_000),
+    Stage::Beam(4000),
+    Stage::Ball(8),
+    Stage::Beam(15_000),
+    Stage::Deepen(17),
     Stage::Beam(60_000),
     Stage::Deepen(u8::MAX),
 ];
