@@ -25,7 +25,7 @@ const INNER: f64 = 27.0;
 const CONTROLS: (i32, i32) = (510, 360);
 const RIM: i32 = 13;
 /// Where a letter stands from the head of its drawer's arrow.
-const LETTERS: [(i32, i32); ARMS] = [(-15, -20), (-20, -15), (-15, 0), (0, 0), (10, -5), (5, -20)];
+const LETTERS: [(i32, i32); ARMS] = [(-15, -28), (-26, -20), (-23, 3), (-1, 8), (16, 0), (12, -23)];
 /// Where the texts beside the board begin, and their lines.
 const SIDE: i32 = 404;
 const LINES: [i32; 5] = [76, 92, 108, 124, 140];
@@ -109,8 +109,8 @@ impl Board<'_> {
 /// Everything that is always there.
 fn draw_desk(screen: &mut Screen) {
     screen.clear(Color::LightCyan);
-    screen.bar(14, 64, 625, 456, Color::White);
     sunken(screen, Area::new(10, 60, 629, 460), 4);
+    screen.bar(14, 64, 625, 456, Color::White);
     screen.line(16, 456, 623, 456, Stroke::thin(Color::Cyan));
     screen.line(625, 66, 625, 454, Stroke::thin(Color::Cyan));
     screen.ellipse_filled(560, 30, 65, 20, Color::LightGreen, Color::Black);
