@@ -121,10 +121,10 @@ fn a_solution_is_played_and_can_be_taken_over() {
     let solved = model(&script);
     assert_eq!((&solved["solved"], &solved["game"]["moves"]), (&true.into(), &8.into()));
     // The search takes a while; two of the four moves later it is stopped.
-    let stopped = model(&format!("{}key S\nwait 3000\nkey Esc\nwait 9000", keys("MCEM")));
+    let stopped = model(&format!("{}key S\nwait 2000\nkey Esc\nwait 9000", keys("MCEM")));
     let moves = stopped["game"]["moves"].as_u64().unwrap();
     assert!((5..8).contains(&moves) && stopped["show"] == "none", "{stopped}");
-    let taken_over = model(&format!("{}key S\nwait 3000\nkey I\nwait 9000", keys("MCEM")));
+    let taken_over = model(&format!("{}key S\nwait 2000\nkey I\nwait 9000", keys("MCEM")));
     assert_eq!(taken_over["game"]["moves"], moves + 1);
     let undone = model(&format!("{script}{}", "key Ctrl+Z\n".repeat(4)));
     assert_eq!(undone["shown"], model(&keys("MCEM"))["shown"]);
@@ -211,7 +211,7 @@ fn golden_pictures() {
         ("gyongy_k_search", format!("{problem}key S\nwait 2000")),
         ("gyongy_k_hint_drawer", format!("{}key H\nwait 5000", keys("AK"))),
         ("gyongy_k_hint_ring", format!("{}key H\nwait 5000", keys("MCEM"))),
-        ("gyongy_k_playing", format!("{}key S\nwait 3000", keys("MCEM"))),
+        ("gyongy_k_playing", format!("{}key S\nwait 2000", keys("MCEM"))),
         ("gyongy_k_demonstration", "key X\nwait 4000".to_string()),
         ("gyongy_k_english", format!("key F2\n{problem}key X")),
         ("gyongy_k_help", "key F1".to_string()),

@@ -199,7 +199,7 @@ impl Player {
         self.now = desk.clock();
         desk.machine.publish(self.model());
         let due = match &self.show {
-            Show::Seeking(_) => return desk.frame(&*self).await,
+            Show::Seeking(seeking) => Some(seeking.due),
             Show::Playing(playing) => Some(playing.due),
             Show::Demonstration(demonstration) => Some(demonstration.due),
             Show::Nothing => None,
@@ -265,7 +265,7 @@ impl Player {
                 }
             }
             Show::Seeking(seeking) => {
-                if seeking.advance() {
+                if seeking.advance(now) {
                     let (aim, solution) = (seeking.aim, seeking.solver.solution());
                     self.stop();
                     // A search ends with a solution.
@@ -343,7 +343,7 @@ impl Player {
         if wheel.is_solved() {
             desk.tell(texts::IS_SOLVED, Stay::Briefly);
         } else {
-            self.show = Show::Seeking(Seeking::new(aim, wheel, std::mem::take(&mut self.tables)));
+            self.show = Show::Seeking(Seeking::new(aim, wheel, std::mem::take(&mut self.tables), self.now));
         }
     }
 

@@ -7,8 +7,10 @@ use std::time::Duration;
 const PACE: Duration = Duration::from_millis(600);
 /// Time before the first and after the last move of the demonstration.
 const PAUSE: Duration = Duration::from_millis(3000);
-/// Positions that a search looks at for one picture.
-const PER_PICTURE: u64 = 40_000;
+/// Positions that a search looks at in one piece, and the time on the clock that a piece has: more than it takes.
+/// Pieces are counted by the clock, so that a search comes equally far in a recording.
+const PIECE: u64 = 50_000;
+const PIECE_TIME: Duration = Duration::from_millis(33);
 
 /// What a search is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,8 +25,8 @@ impl Aim {
     /// How many positions a search for this looks at before it is content with what it has.
     fn enough(self) -> u64 {
         match self {
-            Aim::Hint => 3_000_000,
-            Aim::Solve => 20_000_000,
+            Aim::Hint => 2_000_000,
+            Aim::Solve => 12_000_000,
         }
     }
 }
@@ -33,17 +35,23 @@ impl Aim {
 pub(crate) struct Seeking {
     pub(crate) aim: Aim,
     pub(crate) solver: Box<Solver>,
+    /// When the next piece is due.
+    pub(crate) due: Duration,
 }
 
 impl Seeking {
     /// Begins a search with the tables that an earlier one has made.
-    pub(crate) fn new(aim: Aim, wheel: Wheel, tables: Tables) -> Seeking {
-        Seeking { aim, solver: Box::new(Solver::with_tables(wheel, tables)) }
+    pub(crate) fn new(aim: Aim, wheel: Wheel, tables: Tables, now: Duration) -> Seeking {
+        Seeking { aim, solver: Box::new(Solver::with_tables(wheel, tables)), due: now + PIECE_TIME }
     }
 
-    /// Searches on for one picture; whether it has come to its end.
-    pub(crate) fn advance(&mut self) -> bool {
-        let progress = self.solver.step(PER_PICTURE);
+    /// Searches on if a piece is due; whether the search has come to its end.
+    pub(crate) fn advance(&mut self, now: Duration) -> bool {
+        if now < self.due {
+            return false;
+        }
+        self.due = now + PIECE_TIME;
+        let progress = self.solver.step(PIECE);
         progress.search == Search::Done || (progress.best.is_some() && progress.spent >= self.aim.enough())
     }
 }

@@ -6,6 +6,7 @@ use super::Wheel;
 use super::ball::Ball;
 use super::moves::Move;
 use super::patterns::Patterns;
+use std::collections::HashSet;
 
 /// No way longer than this is followed.
 const LONGEST: usize = 60;
@@ -46,6 +47,8 @@ pub(super) struct Beam {
     next: usize,
     /// What was reached from those before.
     reached: Vec<Reached>,
+    /// Every position that has been in the beam: a detour back to one would only take the room of others.
+    seen: HashSet<Wheel>,
 }
 
 impl Beam {
@@ -53,7 +56,14 @@ impl Beam {
     pub(super) fn new(start: Wheel, width: usize) -> Beam {
         let step = Step { from: 0, a_move: Move::A };
         let start = Reached { score: 0, lot: 0, wheel: start, step };
-        Beam { width, layer: vec![start], steps: Vec::new(), next: 0, reached: Vec::new() }
+        Beam {
+            width,
+            layer: vec![start],
+            steps: Vec::new(),
+            next: 0,
+            reached: Vec::new(),
+            seen: HashSet::new(),
+        }
     }
 
     /// Works until the budget is used up or nothing better can come; whether it has ended. Ways shorter than
@@ -133,15 +143,20 @@ impl Beam {
     /// Makes the best positions that were reached the next layer, each only once.
     fn take_best(&mut self) {
         let mut reached = std::mem::take(&mut self.reached);
-        // Some positions are reached in several ways, so more than the width are looked at.
-        let most = self.width + self.width / 2;
+        // Many positions are reached in several ways, or have been in the beam already, so more than the width
+        // are looked at.
+        let most = 4 * self.width;
         if reached.len() > most {
             reached.select_nth_unstable(most);
             reached.truncate(most);
         }
         reached.sort_unstable();
-        reached.dedup_by_key(|it| it.wheel);
-        reached.truncate(self.width);
+        let mut room = self.width;
+        reached.retain(|it| {
+            let taken = room > 0 && self.seen.insert(it.wheel);
+            room -= usize::from(taken);
+            taken
+        });
         self.steps.push(reached.iter().map(|it| it.step).collect());
         (self.layer, self.next) = (reached, 0);
     }
