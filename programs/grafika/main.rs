@@ -36,6 +36,8 @@ mod gb_p_2d;
 mod gr_kz_o;
 #[path = "../gr_kz_x.rs"]
 mod gr_kz_x;
+#[path = "../gyongy_k.rs"]
+mod gyongy_k;
 #[path = "../vjs.rs"]
 mod vjs;
 #[path = "../zm_betsp.rs"]
@@ -62,6 +64,7 @@ mod render;
 mod sample;
 mod smooth;
 mod surface;
+mod solve;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -100,6 +103,7 @@ const PROGRAMS: &[Program] = &[
     zy_betsp::PROGRAM,
     zy_hspl::PROGRAM,
     biliard::PROGRAM,
+    gyongy_k::PROGRAM,
 ];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
@@ -129,6 +133,8 @@ enum Command {
     Convert(convert::Convert),
     /// Smooth measured points by a B-spline and a Bézier curve, and tell the residuals
     Smooth(smooth::Smooth),
+    /// Solve a puzzle
+    Solve(solve::Solve),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]
     Program(Vec<OsString>),
@@ -152,6 +158,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Render(render)) => render.run(),
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
+        Some(Command::Solve(solve)) => solve.run(),
         Some(Command::Program(words)) => run_program(words),
     }
 }

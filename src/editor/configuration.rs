@@ -51,6 +51,15 @@ pub trait Configuration: Picture {
     /// The model as `dump` writes it.
     fn model(&self) -> impl Serialize + 'static;
 
+    /// What a program asks before it asks for a new or a stored configuration; `true` if the answer is a
+    /// configuration already.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    fn ask_first(&mut self, _desk: &mut Desk<'_>) -> impl Future<Output = Result<bool, Quit>> {
+        async { Ok(false) }
+    }
+
     /// Works until a command leads out of the configuration.
     ///
     /// # Errors
@@ -151,6 +160,10 @@ pub async fn common_key<C: Configuration>(
 /// Asks for a new or a stored configuration until there is one.
 async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(), Quit> {
     state.reset();
+    desk.machine.publish(state.model());
+    if state.ask_first(desk).await? {
+        return Ok(());
+    }
     loop {
         desk.machine.publish(state.model());
         let question = Question::new(MIDDLE, words::ASK_CONFIGURATION, [words::NEW, words::STORED]);

@@ -5,6 +5,7 @@
 
 use super::FileError;
 use crate::pascal::{Reader, Writer};
+use crate::puzzle::wheel::Wheel;
 use serde::{Deserialize, Serialize};
 
 /// Rings of beads round the centre.
@@ -29,6 +30,39 @@ pub struct BeadWheel {
     pub centre: u8,
     /// How far each drawer is out: 1 at home, 3 out, -1 in.
     pub drawers: [i8; ARMS],
+}
+
+impl From<&Wheel> for BeadWheel {
+    fn from(wheel: &Wheel) -> BeadWheel {
+        let color = |bead: u8| if bead == 0 { CENTRE_COLOUR } else { 8 + bead };
+        let ring =
+            |ring: usize| std::array::from_fn(|arm| wheel.bead(ring + 1, arm + 1).map_or(EMPTY, color));
+        BeadWheel {
+            rings: std::array::from_fn(ring),
+            centre: color(wheel.centre()),
+            drawers: std::array::from_fn(|arm| wheel.drawer(arm + 1)),
+        }
+    }
+}
+
+impl TryFrom<&BeadWheel> for Wheel {
+    type Error = FileError;
+
+    /// The position that can be played.
+    ///
+    /// # Errors
+    /// [`FileError::Invalid`] if it cannot be reached.
+    fn try_from(wheel: &BeadWheel) -> Result<Wheel, FileError> {
+        wheel.check()?;
+        // Every colour is 7 or 9 to 14 by now.
+        let bead = |color: u8| color.saturating_sub(8);
+        let arm = |arm: usize| -> Vec<u8> {
+            let colors = wheel.rings.iter().filter_map(|ring| ring.get(arm).copied());
+            colors.filter(|&color| color != EMPTY).map(bead).collect()
+        };
+        let arms: [Vec<u8>; ARMS] = std::array::from_fn(arm);
+        Wheel::from_beads(bead(wheel.centre), &arms).map_err(|error| FileError::Invalid(error.to_string()))
+    }
 }
 
 /// Where in the file a field stands, and its name.
@@ -163,5 +197,26 @@ impl BeadWheel {
         writer.u8(self.centre);
         self.drawers.iter().for_each(|&drawer| writer.i8(drawer));
         writer.into_bytes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::puzzle::wheel::{Difficulty, Scramble};
+
+    #[test]
+    fn the_puzzle_and_the_file_have_the_same_positions() {
+        assert_eq!(BeadWheel::from(&Wheel::solved()), BeadWheel::solved());
+        for number in 0..100 {
+            for difficulty in [Difficulty::Sixteen, Difficulty::Any] {
+                let wheel = Scramble::new(difficulty, number).wheel;
+                let written = BeadWheel::from(&wheel);
+                assert_eq!(written.check(), Ok(()));
+                assert_eq!(Wheel::try_from(&written), Ok(wheel));
+            }
+        }
+        let wrong = BeadWheel { centre: 9, ..BeadWheel::solved() };
+        assert!(Wheel::try_from(&wrong).is_err());
     }
 }

@@ -1,0 +1,87 @@
+//! The game as a plain value: what undo takes back.
+
+use super::texts;
+use grafika::file::Document;
+use grafika::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
+use grafika::ui::Phrase;
+use serde::Serialize;
+use std::time::Duration;
+
+/// A problem that can be made again from its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Problem {
+    pub(crate) difficulty: Difficulty,
+    pub(crate) number: u64,
+}
+
+/// A position, and the way to it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Game {
+    /// Where the game began.
+    pub(crate) start: Wheel,
+    pub(crate) wheel: Wheel,
+    /// Moves since the start.
+    pub(crate) moves: u32,
+    /// The problem it began with.
+    #[serde(skip)]
+    pub(crate) problem: Option<Problem>,
+}
+
+impl Game {
+    /// A game that begins at a position.
+    pub(crate) fn from(start: Wheel) -> Game {
+        Game { start, wheel: start, moves: 0, problem: None }
+    }
+
+    /// A game that begins with a problem.
+    pub(crate) fn new(problem: Problem) -> Game {
+        let wheel = Scramble::new(problem.difficulty, problem.number).wheel;
+        Game { problem: Some(problem), ..Game::from(wheel) }
+    }
+
+    /// The game that a document holds.
+    ///
+    /// # Errors
+    /// Why it is none.
+    pub(crate) fn of(document: &Document) -> Result<Game, Phrase> {
+        let Document::BeadWheel(wheel) = document else { return Err(texts::NO_WHEEL.into()) };
+        Wheel::try_from(wheel).map(Game::from).map_err(|error| texts::plain(&error))
+    }
+
+    /// The game after a move, if it is possible.
+    pub(crate) fn after(&self, a_move: Move) -> Option<Game> {
+        let wheel = self.wheel.after(a_move)?;
+        Some(Game { wheel, moves: self.moves.saturating_add(1), ..self.clone() })
+    }
+
+    /// The same game from its start.
+    pub(crate) fn restarted(&self) -> Game {
+        Game { wheel: self.start, moves: 0, ..self.clone() }
+    }
+}
+
+/// The time of a game: from the first move until it is solved.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Clock {
+    begun: Option<Duration>,
+    ended: Option<Duration>,
+}
+
+impl Clock {
+    /// Notes a change of the position.
+    pub(crate) fn note(&mut self, solved: bool, now: Duration) {
+        self.begun.get_or_insert(now);
+        self.ended = solved.then(|| self.ended.unwrap_or(now));
+    }
+
+    /// The time of the game so far.
+    pub(crate) fn time(&self, now: Duration) -> Duration {
+        self.begun.map_or(Duration::ZERO, |begun| self.ended.unwrap_or(now).saturating_sub(begun))
+    }
+
+    /// When the time shows another second; `None` while it stands.
+    pub(crate) fn next_second(&self, now: Duration) -> Option<Duration> {
+        let begun = self.begun.filter(|_| self.ended.is_none())?;
+        Some(begun + Duration::from_secs(self.time(now).as_secs() + 1))
+    }
+}

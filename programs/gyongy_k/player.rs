@@ -1,0 +1,385 @@
+//! What the player does: moves, questions, and what goes on by itself.
+
+use super::game::{Clock, Game, Problem};
+use super::picture::{BUTTONS, Board, GoingOn, View, move_at};
+use super::show::{Aim, Demonstration, Playing, Seeking, Show};
+use super::texts;
+use grafika::editor::History;
+use grafika::editor::configuration::{self, Configuration, Next};
+use grafika::file::{BeadWheel, Document, Format};
+use grafika::machine::{Event, Key, Language, Machine, Quit, Tick};
+use grafika::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
+use grafika::screen::Screen;
+use grafika::ui::{
+    Answer, Area, Caption, Choices, Desk, Field, Form, MIDDLE, Manual, Number, Phrase, Picture, Question,
+    Stay,
+};
+use serde::Serialize;
+use std::time::Duration;
+
+/// The largest number of a problem.
+const MOST: i32 = 999_999;
+
+/// The program's state: the game with its past is what undo restores, all else is view.
+struct Player {
+    games: History<Game>,
+    /// Whether there is a game, not only questions.
+    begun: bool,
+    /// Whether the buttons have come up.
+    buttons: bool,
+    clock: Clock,
+    /// Time on the clock when the picture is drawn.
+    now: Duration,
+    hint: Option<Move>,
+    show: Show,
+    /// What searches have found out about the wheel.
+    tables: Tables,
+    /// The number of the next problem that is made without being asked for.
+    number: u64,
+}
+
+/// The model as `dump` writes it.
+#[derive(Serialize)]
+struct Model {
+    game: Game,
+    /// The wheel that is shown.
+    shown: Wheel,
+    solved: bool,
+    /// The letter of the hinted move.
+    hint: Option<char>,
+    /// `none`, `search`, `solution` or `demonstration`.
+    show: &'static str,
+    seconds: u64,
+    unsaved: bool,
+}
+
+/// Plays until the end.
+///
+/// # Errors
+/// [`Quit`] when the display is being closed.
+pub(crate) async fn run(
+    machine: &mut Machine,
+    manual: Manual,
+    document: Option<Document>,
+) -> Result<(), Quit> {
+    let player = Player {
+        games: History::new(Game::from(Wheel::solved())),
+        begun: false,
+        buttons: false,
+        clock: Clock::default(),
+        now: Duration::ZERO,
+        hint: None,
+        show: Show::Nothing,
+        tables: Tables::default(),
+        number: machine.seed(),
+    };
+    let mut desk = Desk::new(machine, manual);
+    configuration::run(player, &mut desk, document).await
+}
+
+impl Picture for Player {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        let going_on = match &self.show {
+            Show::Nothing => GoingOn::Nothing,
+            Show::Seeking(seeking) => GoingOn::Search(seeking.solver.progress()),
+            Show::Playing(it) => GoingOn::Solution { count: it.count, proven: it.proven },
+            Show::Demonstration(_) => GoingOn::Demonstration,
+        };
+        let board = self.begun.then(|| Board {
+            wheel: self.shown(),
+            game: self.games.now(),
+            time: self.clock.time(self.now),
+            hint: self.hint.filter(|_| matches!(self.show, Show::Nothing)),
+            going_on,
+        });
+        View { buttons: self.buttons, board }.draw(screen, language);
+    }
+}
+
+impl Configuration for Player {
+    type Value = Game;
+
+    fn format(&self) -> Format {
+        Format::Gyk
+    }
+
+    fn history(&mut self) -> &mut History<Game> {
+        &mut self.games
+    }
+
+    fn reset(&mut self) {
+        self.stop();
+        self.begun = false;
+        self.games = History::new(Game::from(Wheel::solved()));
+    }
+
+    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
+        self.begin(Game::of(document)?);
+        Ok(())
+    }
+
+    fn document(&self) -> Document {
+        Document::BeadWheel(BeadWheel::from(&self.games.now().wheel))
+    }
+
+    fn model(&self) -> impl Serialize + 'static {
+        let game = self.games.now().clone();
+        Model {
+            shown: self.shown(),
+            solved: game.wheel.is_solved(),
+            hint: self.hint.map(Move::letter),
+            show: match self.show {
+                Show::Nothing => "none",
+                Show::Seeking(_) => "search",
+                Show::Playing(_) => "solution",
+                Show::Demonstration(_) => "demonstration",
+            },
+            seconds: self.clock.time(self.now).as_secs(),
+            unsaved: self.games.unsaved(),
+            game,
+        }
+    }
+
+    async fn ask_first(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+        let question = Question::new(MIDDLE, texts::ASK_GAME, [texts::PLAY, texts::LEARN]);
+        let learn = desk.ask(&*self, &question).await? == Some(Answer::Second);
+        if learn {
+            self.begin(Game::from(Wheel::solved()));
+        }
+        Ok(learn)
+    }
+
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+        if !self.begun {
+            let problem = Problem { difficulty: Difficulty::Book, number: self.next_number() };
+            self.begin(Game::new(problem));
+        }
+        loop {
+            let tick = self.wait(desk).await?;
+            if let Some(next) = self.react(desk, &tick).await? {
+                return Ok(next);
+            }
+        }
+    }
+}
+
+impl Player {
+    /// Takes up a game that needs no saving.
+    fn begin(&mut self, game: Game) {
+        self.stop();
+        self.games = History::new(game);
+        self.clock = Clock::default();
+        (self.begun, self.buttons) = (true, true);
+    }
+
+    fn next_number(&mut self) -> u64 {
+        let number = self.number;
+        self.number = self.number.wrapping_add(1);
+        number
+    }
+
+    /// The wheel that is to be seen.
+    fn shown(&self) -> Wheel {
+        match &self.show {
+            Show::Demonstration(demonstration) => demonstration.wheel,
+            _ => self.games.now().wheel,
+        }
+    }
+
+    /// Ends what goes on by itself; a search leaves its tables for the next one.
+    fn stop(&mut self) {
+        self.hint = None;
+        if let Show::Seeking(seeking) = std::mem::replace(&mut self.show, Show::Nothing) {
+            self.tables = seeking.solver.into_tables();
+        }
+    }
+
+    /// Shows the picture and waits for an event or for what is due.
+    async fn wait(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
+        self.now = desk.clock();
+        desk.machine.publish(self.model());
+        let due = match &self.show {
+            Show::Seeking(seeking) => Some(seeking.due),
+            Show::Playing(playing) => Some(playing.due),
+            Show::Demonstration(demonstration) => Some(demonstration.due),
+            Show::Nothing => None,
+        };
+        let next = due.into_iter().chain(self.clock.next_second(self.now)).min();
+        match next {
+            // What is due by this clock is due by the machine's so much later.
+            Some(due) => {
+                let moment = desk.machine.now() + due.saturating_sub(self.now);
+                desk.event_before(&*self, moment).await
+            }
+            None => desk.event(&*self).await,
+        }
+    }
+
+    /// Does what an event or the time asks for; `Some` leads out of the game.
+    async fn react(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Result<Option<Next>, Quit> {
+        self.now = desk.clock();
+        let pressed = matches!(tick.event, Some(Event::Key(_) | Event::Press(_)));
+        if pressed && !matches!(self.show, Show::Nothing) {
+            let was_demonstration = matches!(self.show, Show::Demonstration(_));
+            self.stop();
+            // Who takes a solution over makes a move at once; a demonstration only ends.
+            if was_demonstration || tick.pressed(Key::Esc) {
+                return Ok(None);
+            }
+        }
+        if tick.event.is_none() {
+            self.go_on(desk);
+        }
+        if let Some((x, y)) = tick.click() {
+            let button = BUTTONS.iter().find(|button| button.hit(x, y));
+            if let Some(button) = button {
+                return self.key(desk, Key::Char(button.text.letter)).await;
+            }
+            if let Some(a_move) = move_at(&self.games.now().wheel, x, y) {
+                self.make(a_move);
+            }
+        }
+        match tick.key() {
+            Some(key) => self.key(desk, key).await,
+            None => Ok(None),
+        }
+    }
+
+    /// Goes on with what goes on by itself.
+    fn go_on(&mut self, desk: &mut Desk<'_>) {
+        let now = self.now;
+        match &mut self.show {
+            Show::Nothing => {}
+            Show::Demonstration(demonstration) => {
+                if demonstration.advance(now) {
+                    self.stop();
+                }
+            }
+            Show::Playing(playing) => {
+                let (next, over) = (playing.next(now), playing.is_over());
+                if let Some(next) = next {
+                    self.change(next);
+                }
+                if over {
+                    self.stop();
+                }
+            }
+            Show::Seeking(seeking) => {
+                if seeking.advance(now) {
+                    let (aim, solution) = (seeking.aim, seeking.solver.solution());
+                    self.stop();
+                    // A search ends with a solution.
+                    let Some(solution) = solution else { return };
+                    match aim {
+                        Aim::Hint => self.hint = solution.moves.first().copied(),
+                        Aim::Solve => {
+                            self.show =
+                                Show::Playing(Playing::new(&solution.moves, solution.proven, desk.clock()));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Makes a move of the player.
+    fn make(&mut self, a_move: Move) {
+        self.stop();
+        self.change(a_move);
+    }
+
+    fn change(&mut self, a_move: Move) {
+        if let Some(game) = self.games.now().after(a_move) {
+            self.games.change(game);
+            self.clock.note(self.games.now().wheel.is_solved(), self.now);
+        }
+    }
+
+    /// Takes up another game that undo leads back from.
+    fn replace(&mut self, game: Game) {
+        self.stop();
+        self.games.change(game);
+        self.clock = Clock::default();
+    }
+
+    /// Carries out a key; `Some` leads out of the game.
+    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Result<Option<Next>, Quit> {
+        if let Some(a_move) = key.letter().and_then(Move::from_letter) {
+            self.make(a_move);
+            return Ok(None);
+        }
+        match key {
+            Key::Char('q' | 'Q') => {
+                self.stop();
+                let next = configuration::quit(self, desk).await?;
+                return Ok(Some(next).filter(|&next| next != Next::Work));
+            }
+            Key::Char('x' | 'X') => {
+                self.stop();
+                let number = self.next_number();
+                self.show = Show::Demonstration(Demonstration::new(number, self.now));
+            }
+            Key::Char('r' | 'R') => self.replace(self.games.now().restarted()),
+            Key::Char('u' | 'U') => self.new_problem(desk).await?,
+            Key::Char('h' | 'H') => self.seek(desk, Aim::Hint),
+            Key::Char('s' | 'S') => self.seek(desk, Aim::Solve),
+            Key::Ctrl('Z' | 'Y' | 'S') => {
+                self.stop();
+                let before = self.games.now().wheel;
+                configuration::common_key(self, desk, Some(key)).await?;
+                let wheel = self.games.now().wheel;
+                if wheel != before {
+                    self.clock.note(wheel.is_solved(), desk.clock());
+                }
+            }
+            _ => {}
+        }
+        Ok(None)
+    }
+
+    fn seek(&mut self, desk: &mut Desk<'_>, aim: Aim) {
+        self.stop();
+        let wheel = self.games.now().wheel;
+        if wheel.is_solved() {
+            desk.tell(texts::IS_SOLVED, Stay::Briefly);
+        } else {
+            self.show = Show::Seeking(Seeking::new(aim, wheel, std::mem::take(&mut self.tables), self.now));
+        }
+    }
+
+    /// Asks for difficulty and number of a problem and takes it up.
+    async fn new_problem(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+        self.stop();
+        let Some(chosen) = desk.choose(&*self, &difficulties()).await? else { return Ok(()) };
+        let Some(&(_, difficulty)) = texts::DIFFICULTIES.get(chosen) else { return Ok(()) };
+        let field = Field {
+            area: Area::new(300, 8, 380, 22),
+            at: (308, 12),
+            longest: 6,
+            kind: Number::Whole(0..=MOST),
+        };
+        let form = Form::new(vec![Caption::new((216, 12), texts::NUMBER)], vec![field]);
+        let Some(numbers) = desk.numbers(&*self, &form).await? else { return Ok(()) };
+        // The number is whole and between 0 and the largest one.
+        let number = numbers.first().map_or(0, |&number| number as u64);
+        self.replace(Game::new(Problem { difficulty, number }));
+        Ok(())
+    }
+}
+
+/// The question for the difficulty.
+fn difficulties() -> Choices {
+    let (x, y) = MIDDLE;
+    let mut left = x + 5;
+    let mut window = |width: i32| {
+        let area = Area::new(left, y + 21, left + width, y + 34);
+        left += width + 5;
+        area
+    };
+    let answers = texts::DIFFICULTIES.map(|(answer, _)| answer);
+    Choices {
+        place: MIDDLE,
+        captions: vec![Caption::new((x + 7, y + 8), texts::ASK_DIFFICULTY)],
+        answers: [18, 18, 27, 58, 82].map(&mut window).into_iter().zip(answers).collect(),
+    }
+}

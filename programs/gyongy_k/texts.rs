@@ -1,0 +1,113 @@
+//! What the bead wheel says, in Hungarian and English.
+
+use super::game::Problem;
+use grafika::machine::Language;
+use grafika::puzzle::wheel::{Difficulty, Move, Progress};
+use grafika::ui::{Hot, KeyHelp, Phrase, Words};
+use std::time::Duration;
+
+pub(crate) const KEYS: &[KeyHelp] = &[
+    (
+        Words("A B C D E F", "A B C D E F"),
+        Words("fiók betolása egy gyönggyel", "push a drawer in by one bead"),
+    ),
+    (
+        Words("I K M  J L N", "I K M  J L N"),
+        Words("gyűrű forgatása balra, jobbra", "turn a ring to the left, right"),
+    ),
+    (
+        Words("egér", "mouse"),
+        Words("kattintás a fiókra, a kerék betűire", "click a drawer or a letter of the wheel"),
+    ),
+    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), Words("lépés visszavonása, mégis", "undo, redo a move")),
+    (Words("R", "R"), Words("a feladat elölről", "the problem from its start")),
+    (Words("U", "U"), Words("új feladat: nehézség, sorszám", "a new problem: difficulty, number")),
+    (Words("H", "H"), Words("segítség: a következő lépés", "hint: the next move")),
+    (Words("S", "S"), Words("megoldás keresése és lejátszása", "search and play a solution")),
+    (Words("X", "X"), Words("bemutató", "demonstration")),
+    (Words("Ctrl+S", "Ctrl+S"), Words("mentés (.GYK)", "save (.GYK)")),
+    (Words("Q", "Q"), Words("mentés, új konfiguráció, vége", "save, new configuration, end")),
+    (
+        Words("Esc", "Esc"),
+        Words(
+            "keresés, lejátszás, bemutató vége; kérdésben mégsem",
+            "stop a search or a show; cancel a question",
+        ),
+    ),
+];
+
+const fn hot(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
+    Hot { letter, rest: Words(hungarian, english) }
+}
+
+pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "      Configuration ?");
+pub(crate) const PLAY: Hot = hot('J', "áték", "-game");
+pub(crate) const LEARN: Hot = hot('T', "anulás", "-learn");
+pub(crate) const DEMONSTRATION: Hot = hot('X', "-bemut.", "-demo");
+pub(crate) const QUIT: Hot = hot('Q', "-kilép", "-quit");
+
+pub(crate) const ASK_DIFFICULTY: Words = Words("Hány lépésre a megoldástól ?", "How many moves away ?");
+pub(crate) const DIFFICULTIES: [(Hot, Difficulty); 5] = [
+    (hot('4', "", ""), Difficulty::Four),
+    (hot('8', "", ""), Difficulty::Eight),
+    (hot('1', "6", "6"), Difficulty::Sixteen),
+    (hot('K', "önyv", "-book"), Difficulty::Book),
+    (hot('V', "életlen", "-any"), Difficulty::Any),
+];
+pub(crate) const NUMBER: Words = Words("Sorszám:", "Number:");
+
+pub(crate) const IS_SOLVED: Words = Words("Már ki van rakva", "It is solved already");
+pub(crate) const NO_WHEEL: Words =
+    Words("ebben a fileban nincs gyöngykerék", "this file holds no bead wheel; there should be a .GYK");
+pub(crate) const SEARCH: Words = Words("Keresés      Esc - elég", "Searching    Esc - stop");
+pub(crate) const SHOWN: Words = Words("Bemutató", "Demonstration");
+pub(crate) const TAKE_OVER: Words = Words("Esc - átveszem", "Esc - take over");
+pub(crate) const ESC_BACK: Words = Words("Esc - vissza", "Esc - back");
+pub(crate) const SOLVED: Words = Words("Kirakva!", "Solved!");
+
+/// An error of the library, which speaks English.
+pub(crate) fn plain(error: &dyn std::fmt::Display) -> Phrase {
+    Phrase::new(error.to_string(), error.to_string())
+}
+
+/// The moves and the time of a game.
+pub(crate) fn score(moves: u32, time: Duration, language: Language) -> String {
+    let (minutes, seconds) = (time.as_secs() / 60, time.as_secs() % 60);
+    let [moved, took] = [Words("Lépés:", "Moves:"), Words("Idő:", "Time:")].map(|it| it.of(language));
+    format!("{moved} {moves}   {took} {minutes}:{seconds:02}")
+}
+
+/// Which problem it is.
+pub(crate) fn problem(problem: Problem, language: Language) -> String {
+    let word = Words("Feladat:", "Problem:").of(language);
+    let name = match problem.difficulty {
+        Difficulty::Four => "4",
+        Difficulty::Eight => "8",
+        Difficulty::Sixteen => "16",
+        Difficulty::Book => Words("könyv", "book").of(language),
+        Difficulty::Any => Words("véletlen", "any").of(language),
+    };
+    format!("{word} {name} / {}", problem.number)
+}
+
+/// The next move.
+pub(crate) fn hint(a_move: Move, language: Language) -> String {
+    format!("{} {}", Words("Segítség:", "Hint:").of(language), a_move.letter())
+}
+
+/// How far a search is.
+pub(crate) fn progress(progress: &Progress, language: Language) -> String {
+    let best = progress.best.map_or_else(|| "-".to_string(), |best| best.to_string());
+    let [least, found] = [Words("legalább", "at least"), Words("eddig", "so far")].map(|it| it.of(language));
+    format!("{least} {}, {found} {best}", progress.at_least)
+}
+
+/// The solution that is being played.
+pub(crate) fn solution(count: usize, proven: bool, language: Language) -> [String; 2] {
+    let proof = match proven {
+        true => Words("ennél rövidebb nincs", "none is shorter"),
+        false => Words("talán van rövidebb", "there may be a shorter one"),
+    };
+    let words = Words("Megoldás: lépés:", "Solution: moves:");
+    [format!("{} {count}", words.of(language)), proof.of(language).to_string()]
+}

@@ -1,0 +1,236 @@
+//! GYONGY_K as its user sees it: the originals' screens, moves, undo, hints, solutions, the demonstration, saved
+//! positions, random input.
+
+mod common;
+
+#[path = "../programs/gyongy_k.rs"]
+mod gyongy_k;
+
+use common::reference::Allowance;
+use common::{Kept, pictures, play_script, random, reference};
+use grafika::file::{Document, Format};
+use grafika::machine::{Memory, Script, Storage, play};
+use grafika::puzzle::wheel::{Wheel, moves_from_text};
+use gyongy_k::PROGRAM;
+use serde_json::Value;
+
+#[test]
+fn every_reference_script_gives_the_originals_screen() {
+    reference::assert_screens_each(PROGRAM, "reference/games", "GYONGY_K_", 9, |screen| match screen {
+        // Beads of a random problem: no two runs of the original have the same.
+        "GYONGY_K_mouse_click_J" => Allowance::Agreement(0.94),
+        // The original has left its lines thick here: frames of questions and buttons.
+        "GYONGY_K_q_new_or_stored" | "GYONGY_K_q_newconf" | "GYONGY_K_q_save" => Allowance::Agreement(0.97),
+        _ => Allowance::Agreement(0.985),
+    });
+}
+
+/// Plays a script from the solved wheel.
+fn run(script: &str) -> Kept {
+    play_script(PROGRAM, Memory::default(), &format!("key T\n{script}\nshot end.png\ndump end.json\n"))
+}
+
+fn model(script: &str) -> Value {
+    run(script).models["end.json"].clone()
+}
+
+fn shown(script: &str) -> Wheel {
+    model(script)["shown"].as_str().unwrap().parse().unwrap()
+}
+
+/// The wheel after some letters, by the rules alone.
+fn wheel(letters: &str) -> Wheel {
+    Wheel::solved().after_all(&moves_from_text(letters).unwrap())
+}
+
+fn keys(letters: &str) -> String {
+    letters.chars().map(|letter| format!("key {letter}\n")).collect()
+}
+
+#[test]
+fn letters_and_clicks_make_moves() {
+    assert_eq!(shown(&keys("MCEMAAJLN")), wheel("MCEMAAJLN"));
+    assert_eq!(shown("click 322 118"), wheel("A"));
+    assert_eq!(shown("click 536 360\nclick 432 360"), wheel("JM"));
+    // A handle moves with its drawer, and a held button makes one move.
+    assert_eq!(shown("move 404 260\npress left\nwait 3000\nrelease left"), wheel("F"));
+    assert_eq!(shown("click 404 260\nclick 372 260"), wheel("FF"));
+    // Special keys are no letters.
+    assert_eq!(shown("key Left\nkey Right\nkey PageUp\nkey F7\nkey F8"), wheel(""));
+}
+
+#[test]
+fn a_move_that_is_not_possible_counts_nothing() {
+    assert_eq!(model("key A")["game"]["moves"], 1);
+    assert_eq!(model("key A\nkey A")["game"], model("key A")["game"]);
+}
+
+#[test]
+fn moves_are_undone_redone_and_begun_again() {
+    let made = model(&keys("MCEM"));
+    let undone = model(&format!("{}key Ctrl+Z\nkey Ctrl+Z", keys("MCEM")));
+    assert_eq!(undone["game"], model(&keys("MC"))["game"]);
+    assert_eq!(model(&format!("{}key Ctrl+Z\nkey Ctrl+Y", keys("MCEM")))["game"], made["game"]);
+    assert_eq!(shown(&format!("{}key R", keys("MCEM"))), wheel(""));
+    assert_eq!(model(&format!("{}key R\nkey Ctrl+Z", keys("MCEM")))["game"], made["game"]);
+}
+
+#[test]
+fn the_clock_runs_from_the_first_move_until_solved() {
+    assert_eq!(model("wait 9000")["seconds"], 0);
+    assert_eq!(model("key A\nwait 9000")["seconds"], 9);
+    assert_eq!(model("key A\nwait 9000\nkey D\nwait 9000")["seconds"], 9);
+    assert_eq!(model("key A\nwait 2000\nkey F1\nwait 9000\nkey Esc\nwait 1000")["seconds"], 3);
+}
+
+#[test]
+fn the_demonstration_goes_back_to_solved_and_leaves_the_game_alone() {
+    let before = model(&keys("MC"));
+    let demonstration = format!("{}key X\n", keys("MC"));
+    let begun = model(&demonstration);
+    assert_eq!(begun["show"], "demonstration");
+    assert_eq!(begun["shown"], model(&format!("{demonstration}wait 2990"))["shown"]);
+    assert_ne!(begun["shown"], model(&format!("{demonstration}wait 3010"))["shown"]);
+    let mut waited = 0;
+    let solved = (0..120).find(|step| {
+        waited = 3010 + 600 * step;
+        shown(&format!("{demonstration}wait {waited}")).is_solved()
+    });
+    assert!(solved.is_some());
+    assert_eq!(model(&format!("{demonstration}wait {}", waited + 2900))["show"], "demonstration");
+    let after = model(&format!("{demonstration}wait {}", waited + 3100));
+    assert_eq!((&after["show"], &after["shown"]), (&"none".into(), &before["shown"]));
+    for stop in ["key Esc", "key A", "click 404 260"] {
+        assert_eq!(model(&format!("{demonstration}wait 5000\n{stop}"))["game"], before["game"]);
+    }
+}
+
+#[test]
+fn a_hint_is_shown_and_not_made() {
+    let hinted = model(&format!("{}key H\nwait 5000", keys("MCEM")));
+    assert_eq!(hinted["shown"], model(&keys("MCEM"))["shown"]);
+    let letter = hinted["hint"].as_str().unwrap();
+    assert!(shown(&keys(&format!("MCEM{letter}"))) != wheel("MCEM"));
+    assert_eq!(model(&format!("{}key H\nwait 5000\nkey I", keys("MCEM")))["hint"], Value::Null);
+    assert_eq!(model("key H")["show"], "none", "there is nothing to hint");
+}
+
+#[test]
+fn a_solution_is_played_and_can_be_taken_over() {
+    let script = format!("{}key S\nwait 8000\n", keys("MCEM"));
+    let solved = model(&script);
+    assert_eq!((&solved["solved"], &solved["game"]["moves"]), (&true.into(), &8.into()));
+    // The search takes a while; two of the four moves later it is stopped.
+    let stopped = model(&format!("{}key S\nwait 2000\nkey Esc\nwait 9000", keys("MCEM")));
+    let moves = stopped["game"]["moves"].as_u64().unwrap();
+    assert!((5..8).contains(&moves) && stopped["show"] == "none", "{stopped}");
+    let taken_over = model(&format!("{}key S\nwait 2000\nkey I\nwait 9000", keys("MCEM")));
+    assert_eq!(taken_over["game"]["moves"], moves + 1);
+    let undone = model(&format!("{script}{}", "key Ctrl+Z\n".repeat(4)));
+    assert_eq!(undone["shown"], model(&keys("MCEM"))["shown"]);
+}
+
+#[test]
+fn esc_stops_a_search() {
+    let start = "key U\nkey V\nkey 7\nkey Enter\n";
+    assert_eq!(model(&format!("{start}key S\nwait 50"))["show"], "search");
+    assert_eq!(model(&format!("{start}key S\nwait 50\nkey Esc\nwait 100"))["show"], "none");
+    assert_eq!(model(&format!("{start}key S\nwait 50\nkey Esc"))["game"], model(start)["game"]);
+}
+
+#[test]
+fn a_problem_has_a_number_and_a_difficulty() {
+    let problem = |keys: &str| model(&format!("key U\n{keys}"));
+    let eight = problem("key 8\ntype 123\nkey Enter");
+    assert_eq!(eight["shown"], problem("key 8\ntype 123\nkey Enter")["shown"]);
+    assert_ne!(eight["shown"], problem("key 8\ntype 124\nkey Enter")["shown"]);
+    assert_ne!(eight["shown"], problem("key 4\ntype 123\nkey Enter")["shown"]);
+    assert_eq!(eight["unsaved"], true);
+    for cancelled in ["key Esc", "key 8\nkey Esc"] {
+        assert_eq!(problem(cancelled)["game"], model("")["game"]);
+    }
+}
+
+#[test]
+fn a_saved_position_is_the_dos_programs() {
+    let script = format!("{}key Ctrl+S\ntype akb\nkey Enter", keys("MC"));
+    assert_eq!(model(&script)["unsaved"], false);
+    let mut disk = Memory::default();
+    let akb = std::fs::read(common::path("files/AKB.GYK")).unwrap();
+    disk.write("AKB.GYK", &akb).unwrap();
+    let opened = play_script(PROGRAM, disk, "key J\nkey T\ntype akb\nkey Enter\ndump end.json\n");
+    let Document::BeadWheel(wheel) = Document::read(Format::Gyk, &akb).unwrap() else { panic!() };
+    let wheel = Wheel::try_from(&wheel).unwrap();
+    assert_eq!(opened.models["end.json"]["shown"], wheel.to_string());
+}
+
+#[test]
+fn an_impossible_position_is_refused() {
+    let good = std::fs::read(common::path("files/AKB.GYK")).unwrap();
+    let mut wrong: Vec<Vec<u8>> = vec![vec![], good[..36].to_vec(), [&good[..], &[0]].concat()];
+    for (place, byte) in [(0, 11), (0, 15), (30, 9), (31, 3), (31, 0), (36, 0xff), (29, 9), (18, 15)] {
+        let mut damaged = good.clone();
+        damaged[place] = byte;
+        wrong.push(damaged);
+    }
+    for content in wrong {
+        let mut disk = Memory::default();
+        disk.write("X.GYK", &content).unwrap();
+        let script = "key J\nkey T\ntype x\nkey Enter\nwait 2100\nkey T\ntype x\nkey Enter\nshot end.png\ndump end.json\n";
+        let kept = play_script(PROGRAM, disk, script);
+        assert_eq!(kept.models["end.json"]["shown"], Wheel::solved().to_string(), "{content:?}");
+        // Still asked for: no beads in the picture.
+        assert_ne!(kept.pictures["end.png"].pixel(240, 260), run("").pictures["end.png"].pixel(240, 260));
+    }
+}
+
+#[test]
+fn the_end_is_asked_for_and_nothing_is_lost() {
+    let ended = |script: &str| {
+        let mut session = common::session(PROGRAM, Memory::default(), Default::default());
+        play(&mut session, &Script::parse(script).unwrap(), &mut Kept::default()).unwrap();
+        session.ended()
+    };
+    assert!(ended("close") && ended("key T\nclose"));
+    assert!(!ended("key T\nkey A\nclose") && !ended("key T\nkey A\nclose\nclose"));
+    assert!(ended("key T\nkey A\nclose\nkey N") && !ended("key T\nkey A\nclose\nkey Esc"));
+    assert!(ended("key T\nkey Q\nkey N\nkey I") && !ended("key T\nkey Q\nkey N\nkey N\nkey N"));
+    assert!(ended("key T\nkey A\nkey S\nclose\nkey N") && ended("key J\nkey U\nkey X\nclose"));
+}
+
+#[test]
+fn golden_pictures() {
+    let problem = "key U\nkey V\ntype 42\nkey Enter\n";
+    let cases = [
+        ("gyongy_k_solved", "key A\nwait 3000\nkey D".to_string()),
+        ("gyongy_k_out", keys("ABC")),
+        ("gyongy_k_in", keys("DEF")),
+        ("gyongy_k_problem", format!("{problem}key A\nwait 61000")),
+        ("gyongy_k_difficulty", "key U".to_string()),
+        ("gyongy_k_number", "key U\nkey 8\ntype 12".to_string()),
+        ("gyongy_k_search", format!("{problem}key S\nwait 2000")),
+        ("gyongy_k_hint_drawer", format!("{}key H\nwait 5000", keys("AK"))),
+        ("gyongy_k_hint_ring", format!("{}key H\nwait 5000", keys("MCEM"))),
+        ("gyongy_k_playing", format!("{}key S\nwait 2000", keys("MCEM"))),
+        ("gyongy_k_demonstration", "key X\nwait 4000".to_string()),
+        ("gyongy_k_english", format!("key F2\n{problem}key X")),
+        ("gyongy_k_help", "key F1".to_string()),
+        ("gyongy_k_help_english", "key F1\nkey F2".to_string()),
+    ];
+    for (name, script) in cases {
+        pictures::assert_golden(name, &run(&script).pictures["end.png"]);
+    }
+}
+
+#[test]
+fn a_recorded_session_replays_to_the_same_picture() {
+    random::assert_replays(PROGRAM, &format!("key T\n{}", random::script(7, 500)));
+    random::assert_replays(PROGRAM, "key T\nkey A\nkey K\nkey S\nwait 2345\n");
+}
+
+/// Random events; `GRAFIKA_EVENTS` says how many.
+#[test]
+fn random_events_do_no_harm() {
+    let events = std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000);
+    random::storm(PROGRAM, events);
+}
