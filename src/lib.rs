@@ -3,7 +3,7 @@
 //! points, the data files of the DOS programs, and pictures for other programs.
 //!
 //! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
-//! [`screen`], [`geometry`], [`table`] and [`pascal`] on the ground floor, above them [`mod@file`], [`figure`] and
+//! [`screen`], [`geometry`], [`table`], [`puzzle`] and [`pascal`] on the ground floor, above them [`mod@file`], [`figure`] and
 //! [`machine`], then [`ui`], then [`editor`] and [`cursor`]. The programs themselves stand on top of the library.
 
 pub mod cursor;
@@ -15,6 +15,7 @@ pub mod geometry;
 pub mod launch;
 pub mod machine;
 pub mod pascal;
+pub mod puzzle;
 pub mod screen;
 pub mod table;
 pub mod ui;
