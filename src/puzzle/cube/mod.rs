@@ -22,4 +22,4 @@ pub(crate) use position::{add, turned};
 pub use search::{Progress, Search};
 pub use shape::{PIECES, PieceShape, TABLE, shape};
 pub use state::StateError;
-//pub use way::{CORNER, Way, WayError};
+pub use way::{CORNER, Way, WayError};
