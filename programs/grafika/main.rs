@@ -2,6 +2,8 @@
 
 #[path = "../biliard.rs"]
 mod biliard;
+#[path = "../csango_k.rs"]
+mod csango_k;
 #[path = "../csav_gy.rs"]
 mod csav_gy;
 #[path = "../eg_kz_k.rs"]
@@ -99,6 +101,7 @@ const PROGRAMS: &[Program] = &[
     zy_betsp::PROGRAM,
     zy_hspl::PROGRAM,
     biliard::PROGRAM,
+    csango_k::PROGRAM,
 ];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu

@@ -77,7 +77,8 @@ impl Count {
 
     fn new(roots: Vec<Root>) -> Count {
         let parts = roots.iter().enumerate();
-        let parts = parts.flat_map(|(index, root)| root.tree.paths(DEPTH).into_iter().map(move |path| (index, path)));
+        let parts =
+            parts.flat_map(|(index, root)| root.tree.paths(DEPTH).into_iter().map(move |path| (index, path)));
         Count { parts: parts.collect(), roots }
     }
 
@@ -114,7 +115,10 @@ impl Item {
                 Turn::Over => self.over = true,
                 Turn::Full => {
                     let half = !root.twice.is_empty()
-                        && root.tree.chosen().any(|it| it.kind == 0 && root.twice.binary_search(&it.mask).is_ok());
+                        && root
+                            .tree
+                            .chosen()
+                            .any(|it| it.kind == 0 && root.twice.binary_search(&it.mask).is_ok());
                     self.total += if half { root.weight / 2 } else { root.weight };
                 }
             }

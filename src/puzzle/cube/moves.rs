@@ -356,8 +356,7 @@ mod tests {
     fn swept_cells_are_those_that_turned_squares_meet() {
         for cell in (-1..=1).flat_map(|p| (-1..=1).map(move |q| [p, q])) {
             for still in (-3..=3).flat_map(|p| (-3..=3).map(move |q| [p, q])) {
-                let met =
-                    (0..=2000).any(|k| overlap(cell, still, FRAC_PI_2 * f64::from(k) / 2000.0));
+                let met = (0..=2000).any(|k| overlap(cell, still, FRAC_PI_2 * f64::from(k) / 2000.0));
                 assert_eq!(swept_in_plane(cell).any(|it| it == still), met, "{cell:?} {still:?}");
             }
         }

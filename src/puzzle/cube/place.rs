@@ -94,9 +94,9 @@ pub(super) fn places() -> Vec<Placed> {
 /// The 48 symmetries of the cube, mirrors among them, as maps of its cells.
 pub(super) fn symmetries() -> Vec<[u8; 64]> {
     let mirrored = [[1, 0, 0], [0, 1, 0], [0, 0, -1]];
-    let product = |a: [[i8; 3]; 3], b: [[i8; 3]; 3]| a.map(|row| {
-        [0, 1, 2].map(|j: usize| (0..3).map(|k: usize| row[k] * b[k][j]).sum::<i8>())
-    });
+    let product = |a: [[i8; 3]; 3], b: [[i8; 3]; 3]| {
+        a.map(|row| [0, 1, 2].map(|j: usize| (0..3).map(|k: usize| row[k] * b[k][j]).sum::<i8>()))
+    };
     let all = ROTATIONS.iter().flat_map(|&rotation| [rotation, product(rotation, mirrored)]);
     all.map(|matrix| {
         std::array::from_fn(|bit| {
@@ -125,7 +125,8 @@ mod tests {
         let counts: Vec<_> = (0..KINDS).map(|kind| all.iter().filter(|p| p.kind == kind).count()).collect();
         assert_eq!(counts, [432, 432, 432, 324, 324, 288]);
         assert!(all.windows(2).all(|pair| pair[0].kind <= pair[1].kind));
-        let supply: Vec<_> = (0..KINDS).map(|kind| TYPES.iter().filter(|&&it| it == kind).count() as u8).collect();
+        let supply: Vec<_> =
+            (0..KINDS).map(|kind| TYPES.iter().filter(|&&it| it == kind).count() as u8).collect();
         assert_eq!(supply, SUPPLY);
     }
 

@@ -118,7 +118,8 @@ impl CsangoCube {
             }
             for (number, cell) in piece.cells(index).enumerate() {
                 let Some(owner) = on_table(cell).and_then(|place| owners.get_mut(place)) else {
-                    let problem = format!("cell {} is at {cell:?}, outside the 10 x 10 x 7 table", number + 1);
+                    let problem =
+                        format!("cell {} is at {cell:?}, outside the 10 x 10 x 7 table", number + 1);
                     return Some(Fault { piece: index, cell: number, problem });
                 };
                 if let Some(other) = owner.replace(index + 1) {

@@ -199,7 +199,10 @@ impl Tree {
     /// The pieces that lead to the present node, without the fixed ones.
     pub(super) fn chosen(&self) -> impl Iterator<Item = Placed> {
         let depth = self.depth.map_or(0, |depth| depth + 1);
-        self.levels.iter().take(depth).filter_map(|level| level.branches.get(level.next.checked_sub(1)?).copied())
+        self.levels
+            .iter()
+            .take(depth)
+            .filter_map(|level| level.branches.get(level.next.checked_sub(1)?).copied())
     }
 
     /// Goes on until a filling is found or so many nodes are made.
@@ -316,7 +319,8 @@ impl Search {
             let mixed = |mask: u64| (mask ^ seed).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29);
             places.sort_by_key(|placed| (placed.kind, mixed(mixed(placed.mask))));
         }
-        let complete = fixed.len() == super::PIECES && fixed.iter().fold(0, |all, it| all | it.mask) == u64::MAX;
+        let complete =
+            fixed.len() == super::PIECES && fixed.iter().fold(0, |all, it| all | it.mask) == u64::MAX;
         let tree = if complete { None } else { Tree::new(&places, fixed) };
         Search { fixed: fixed.to_vec(), tree, complete }
     }
@@ -402,7 +406,9 @@ mod tests {
     #[test]
     fn what_cannot_lie_so_has_no_filling() {
         let place = Placed { kind: 0, mask: 0x600222 };
-        for fixed in [vec![place; 2], vec![Placed { kind: 9, mask: 1 }], vec![Placed { kind: 5, mask: 0xF }; 1]] {
+        for fixed in
+            [vec![place; 2], vec![Placed { kind: 9, mask: 1 }], vec![Placed { kind: 5, mask: 0xF }; 1]]
+        {
             // A straight row of four is none of the pieces, but its cells are free for the others.
             let mut search = Search::new(&fixed, 0);
             let found = search.advance(0);

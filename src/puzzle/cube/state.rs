@@ -39,7 +39,8 @@ impl fmt::Display for CsangoCube {
         for piece in &self.pieces {
             let [x, y, z] = piece.cell;
             let turned = ROTATIONS.iter().position(|rotation| *rotation == piece.rotation);
-            let letter = turned.and_then(|index| u8::try_from(index).ok()).map_or('?', |k| char::from(b'a' + k));
+            let letter =
+                turned.and_then(|index| u8::try_from(index).ok()).map_or('?', |k| char::from(b'a' + k));
             write!(f, "{x}{y}{z}{letter}")?;
         }
         Ok(())
@@ -80,7 +81,10 @@ mod tests {
         assert_eq!(text.parse(), Ok(CsangoCube::start()));
         let wrong = |text: &str| text.parse::<CsangoCube>().unwrap_err().to_string();
         assert_eq!(wrong("680a"), "4 signs; a position of the Csángó cube has 56");
-        assert_eq!(wrong(&text.replacen("680a", "680y", 1)), "sign 4 of the position should be a letter a to x");
+        assert_eq!(
+            wrong(&text.replacen("680a", "680y", 1)),
+            "sign 4 of the position should be a letter a to x"
+        );
         assert_eq!(wrong(&text.replacen("140a", "840a", 1)), "piece 3: piece 2 is at [8, 4, 0] as well");
     }
 

@@ -68,7 +68,8 @@ impl Filling {
             let filled = inside.iter().fold(0, |all, placed| all | placed.mask);
             let free = inside.iter().enumerate().filter(|(_, placed)| !first.contains(placed)).find_map(
                 |(index, placed)| {
-                    let way_out = OUT.into_iter().find(|&way| leaves(placed.mask, filled & !placed.mask, way));
+                    let way_out =
+                        OUT.into_iter().find(|&way| leaves(placed.mask, filled & !placed.mask, way));
                     Some((index, way_out?))
                 },
             );
@@ -139,7 +140,8 @@ impl Way {
             inside(start).into_iter().filter(|(_, placed)| filling.placed.contains(placed)).collect();
         let first: Vec<Placed> = kept.iter().map(|&(_, placed)| placed).collect();
         let with_kept = filling.order(&first).map(|order| (order, kept));
-        let turned = || super::ROTATIONS.iter().find_map(|it| Some((filling.turned(it).order(&[])?, Vec::new())));
+        let turned =
+            || super::ROTATIONS.iter().find_map(|it| Some((filling.turned(it).order(&[])?, Vec::new())));
         let (order, kept) = with_kept.or_else(turned).ok_or(WayError::Stuck)?;
         Ok(Way {
             start: *start,
@@ -174,8 +176,8 @@ impl Way {
         }
         // Something is in the way: first what lies in the cube's place, then what has the shortest way home.
         let blocking = (0..PIECES).filter(|index| !self.done.contains(index));
-        let (in_the_way, beside): (Vec<usize>, Vec<usize>) =
-            blocking.partition(|&index| self.now.pieces.get(index).is_some_and(|&piece| touches(index, piece)));
+        let (in_the_way, beside): (Vec<usize>, Vec<usize>) = blocking
+            .partition(|&index| self.now.pieces.get(index).is_some_and(|&piece| touches(index, piece)));
         let cleared = in_the_way.iter().chain(&beside).any(|&index| self.clear(index));
         if cleared { Ok(None) } else { Err(WayError::Stuck) }
     }
@@ -195,7 +197,8 @@ impl Way {
 
     /// Moves a piece out of the way: out of the cube's place, or home; whether it moved.
     fn clear(&mut self, index: usize) -> bool {
-        let (Some(&from), Some(&home)) = (self.now.pieces.get(index), CsangoCube::start().pieces.get(index)) else {
+        let (Some(&from), Some(&home)) = (self.now.pieces.get(index), CsangoCube::start().pieces.get(index))
+        else {
             return false;
         };
         let others = Taken::without(&self.now, index);
@@ -292,9 +295,12 @@ mod tests {
         let mut moves = way(&start, 0, Rules::Book);
         let last = moves.len() - 1;
         moves[last].action = moves[last].action.reverse();
-        assert!(start.after_all(&moves, Rules::Book).is_ok_and(|cube| !cube.is_finished())
-            || start.after_all(&moves, Rules::Book).is_err());
-        let broken = Way { moves, ..Way::new(&start, &filling(&[], 0), Rules::Book).expect("it comes apart") };
+        assert!(
+            start.after_all(&moves, Rules::Book).is_ok_and(|cube| !cube.is_finished())
+                || start.after_all(&moves, Rules::Book).is_err()
+        );
+        let broken =
+            Way { moves, ..Way::new(&start, &filling(&[], 0), Rules::Book).expect("it comes apart") };
         assert!(broken.checked().is_err());
     }
 
@@ -305,7 +311,8 @@ mod tests {
         let half = start.after_all(&moves[..moves.len() / 2], Rules::Book).expect("allowed");
         let kept = half.placed();
         assert!(!kept.is_empty());
-        let on = Way::new(&half, &filling(&kept, 0), Rules::Book).and_then(Way::finish).expect("there is a way");
+        let on =
+            Way::new(&half, &filling(&kept, 0), Rules::Book).and_then(Way::finish).expect("there is a way");
         let moved = |piece: usize| on.iter().any(|it| it.piece == piece);
         assert!(inside(&half).iter().all(|&(index, _)| !moved(index)));
     }
