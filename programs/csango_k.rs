@@ -1,4 +1,4 @@
-//! CSANGO_K: the Csángó cube, fourteen pieces that are moved and turned into a cube of 4 x 4 x 4 (chapter 4.2).
+//! CSANGO_K: the Csángó cube, fourteen pieces that are moved and turned into a cube of 4 x 4 x 4 (chapter 4.4).
 //! Rules and searches are `grafika::puzzle::cube`; here are the game, its picture and its controls.
 
 #[path = "csango_k/eye.rs"]

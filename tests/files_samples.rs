@@ -11,7 +11,7 @@ use std::path::Path;
 fn the_samples_are_up_to_date() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
     let samples = make_samples::samples().unwrap();
-    assert_eq!(samples.len(), 12);
+    assert_eq!(samples.len(), 14);
     for (name, bytes) in samples {
         let found = std::fs::read(folder.join(name)).unwrap();
         assert!(found == bytes, "{name}: run `cargo run --example make_samples`");

@@ -116,7 +116,7 @@ fn sign(screen: &mut Screen, letter: char, area: Area) {
         _ => arrow(screen, (x + 22, y), (1, 0), thin),
     }
     let red = Stroke::thin(Color::LightRed);
-    screen.ellipse(x + 22, y, 30, 330, 8, 16, red);
+    screen.ellipse(x + 22, y, 8, 16, 30, 330, red);
     // The head of the arc: below for the turns that go the positive way round.
     let down = if matches!(letter, 'R' | 'S' | 'T') { 1 } else { -1 };
     let tip = (x + 29, y + 8 * down);

@@ -9,7 +9,7 @@ use super::texts;
 use grafika::editor::History;
 use grafika::editor::configuration::{self, Configuration, Next};
 use grafika::file::{CsangoCube, Document, Format};
-use grafika::machine::{Button, Event, Key, Language, Machine, Quit, Tick};
+use grafika::machine::{Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Quit, Tick};
 use grafika::puzzle::cube::{Action, Move, PIECES, Rules};
 use grafika::screen::{Color, Screen};
 use grafika::ui::{Desk, Manual, Phrase, Picture, Stay};
@@ -159,7 +159,14 @@ impl Player {
                 let next = desk.machine.now() + Duration::from_nanos(u64::from(1_000_000_000 - passed));
                 desk.event_before(&*self, next).await?
             }
-            _ => desk.frame(&*self).await?,
+            (Task::Seeking(_), _) => {
+                let next = desk.machine.now() + Duration::from_secs(1) / FRAMES_PER_SECOND;
+                desk.event_before(&*self, next).await?
+            }
+            (Task::Playing(_, due), _) => {
+                let next = desk.machine.now() + due.saturating_sub(self.now);
+                desk.event_before(&*self, next).await?
+            }
         };
         self.now = desk.clock();
         Ok(tick)

@@ -63,6 +63,7 @@ mod menu;
 mod render;
 mod sample;
 mod smooth;
+mod solve;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -131,6 +132,8 @@ enum Command {
     Convert(convert::Convert),
     /// Smooth measured points by a B-spline and a Bézier curve, and tell the residuals
     Smooth(smooth::Smooth),
+    /// Tell the moves that finish a puzzle, or count the ways
+    Solve(solve::Solve),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]
     Program(Vec<OsString>),
@@ -154,6 +157,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Render(render)) => render.run(),
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
+        Some(Command::Solve(solve)) => solve.run(),
         Some(Command::Program(words)) => run_program(words),
     }
 }

@@ -3,10 +3,12 @@
 /// Every built-in sample: name and content.
 pub const SAMPLES: &[(&str, &[u8])] = &[
     ("A.GBP", include_bytes!("../../data/A.GBP")),
+    ("A.CSK", include_bytes!("../../data/A.CSK")),
     ("A.EC2", include_bytes!("../../data/A.EC2")),
     ("A.IC2", include_bytes!("../../data/A.IC2")),
     ("A.IP2", include_bytes!("../../data/A.IP2")),
     ("A.IP3", include_bytes!("../../data/A.IP3")),
+    ("B.CSK", include_bytes!("../../data/B.CSK")),
     ("B.IP2", include_bytes!("../../data/B.IP2")),
     ("B.IP3", include_bytes!("../../data/B.IP3")),
     ("C.IP2", include_bytes!("../../data/C.IP2")),

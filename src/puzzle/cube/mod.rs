@@ -1,4 +1,4 @@
-//! The Csángó cube (chapter 4.2): fourteen pieces of four and five cells on a table of 10 x 10 x 7 cells,
+//! The Csángó cube (chapter 4.4): fourteen pieces of four and five cells on a table of 10 x 10 x 7 cells,
 //! which are moved and turned cell by cell until they make a cube of 4 x 4 x 4.
 //!
 //! [`CsangoCube`] is a position and knows which moves it allows. [`Search`] finds the ways to fill the cube,
