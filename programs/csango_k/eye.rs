@@ -59,6 +59,16 @@ impl Eye {
         [right * scale, up * scale, scale]
     }
 
+    /// The viewer, and the place on the plane through the middle that is seen at a pixel.
+    #[cfg(test)]
+    pub(crate) fn ray(self, x: f64, y: f64) -> (Place, Place) {
+        // The rows of `seen` are the directions to the right, up and to the viewer.
+        let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|unit| self.seen(unit));
+        let back = |seen: Place| columns.map(|c| c[0] * seen[0] + c[1] * seen[1] + c[2] * seen[2]);
+        let row = ROWS.get(self.height).copied().unwrap_or(ROWS[0]);
+        (back([0.0, 0.0, DISTANCE]), back([x - COLUMN, row - y, 0.0]))
+    }
+
     /// A place on the screen with fractions of pixels, y down.
     pub(crate) fn pixel(self, place: Place) -> [f64; 2] {
         let [right, up, _] = self.projected(place);

@@ -103,3 +103,55 @@ pub(crate) fn draw_axes(screen: &mut Screen, eye: Eye) {
         screen.text(470 + dx, 90 + dy, name, Color::Black);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grafika::puzzle::cube::Rules;
+
+    /// The piece whose cell a ray meets first: the faces of every cell, one by one.
+    fn first_met(cube: &CsangoCube, from: [f64; 3], to: [f64; 3]) -> Option<usize> {
+        let mut nearest = (f64::MAX, None);
+        for (index, piece) in cube.pieces.iter().enumerate() {
+            for cell in piece.cells(index).map(centre) {
+                let (mut enter, mut leave) = (f64::MIN, f64::MAX);
+                for axis in 0..3 {
+                    let way = to[axis] - from[axis];
+                    let sides = [-0.5, 0.5].map(|side| (cell[axis] + side * EDGE - from[axis]) / way);
+                    enter = enter.max(sides[0].min(sides[1]));
+                    leave = leave.min(sides[0].max(sides[1]));
+                }
+                if enter < leave && enter < nearest.0 {
+                    nearest = (enter, Some(index));
+                }
+            }
+        }
+        nearest.1
+    }
+
+    /// Rays from the viewer meet the same pieces that the picture shows, wherever the pieces are: away from
+    /// edges by two pixels, where roundings and outlines are.
+    #[test]
+    fn what_is_nearest_is_seen() {
+        let mut compared = 0;
+        for seed in 0..12_u32 {
+            let cube = CsangoCube::start().scrambled(u64::from(seed), 150 * seed, Rules::Book);
+            let eye = (0..seed % 3).fold(Eye::HOME.turned(7 * seed as i32), |eye, _| eye.higher());
+            let scene = Scene::new(&cube, eye);
+            let met = |x: i32, y: i32| {
+                let (viewer, pixel) = eye.ray(f64::from(x), f64::from(y));
+                first_met(&cube, viewer, pixel)
+            };
+            for (x, y) in (40..490).step_by(9).flat_map(|x| (60..450).step_by(7).map(move |y| (x, y))) {
+                let right = met(x, y);
+                let around = [(2, 0), (-2, 0), (0, 2), (0, -2), (2, 2), (-2, -2), (2, -2), (-2, 2)];
+                if around.iter().all(|&(dx, dy)| met(x + dx, y + dy) == right) {
+                    let outline = scene.0.pixel(x - FIELD.x1, y - FIELD.y1) == Some(0);
+                    assert!(outline || scene.piece_at(x, y) == right, "seed {seed}: {x} {y}");
+                    compared += usize::from(right.is_some() && !outline);
+                }
+            }
+        }
+        assert!(compared > 3000, "{compared}");
+    }
+}

@@ -57,6 +57,20 @@ impl CsangoCube {
     }
 }
 
+impl CsangoCube {
+    /// The filling of a finished cube, wherever it stands.
+    #[must_use]
+    pub fn filling(&self) -> Option<Filling> {
+        let cells = || self.pieces.iter().enumerate().flat_map(|(index, piece)| piece.cells(index));
+        let corner = cells().reduce(|[x, y, z], [u, v, w]| [x.min(u), y.min(v), z.min(w)])?;
+        let place = |(index, piece): (usize, &CubePiece)| {
+            Some(Placed { kind: kind_of(index)?, mask: mask_of(piece.cells(index), corner)? })
+        };
+        let placed = self.pieces.iter().enumerate().map(place).collect::<Option<Vec<_>>>()?;
+        self.is_finished().then_some(Filling { placed })
+    }
+}
+
 impl Filling {
     /// The order in which the pieces go in, each straight along an axis, with the direction in which each
     /// comes out again; `None` if some cannot. The first ones may be given: they stay inside.
