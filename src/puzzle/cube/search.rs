@@ -49,6 +49,9 @@ impl Node {
     #[inline]
     fn place(&self, mask: u64, kind: usize, skip: usize, child: &mut Node) -> Pivot {
         child.filled = self.filled | mask;
+        if !can_be_filled(!child.filled) {
+            return Pivot::Dead;
+        }
         child.left = self.left;
         child.left[kind] = child.left[kind].saturating_sub(1);
         // How many places there are for every cell: three binary digits, and whether it is eight or more.
@@ -126,6 +129,46 @@ impl Node {
             }
         }
     }
+}
+
+/// Numbers of cells that pieces of four and five cannot fill, as bits.
+const NO_SUMS: u64 = 1 << 1 | 1 << 2 | 1 << 3 | 1 << 6 | 1 << 7 | 1 << 11;
+
+/// The cells beside those of a mask.
+#[inline]
+const fn beside(cells: u64) -> u64 {
+    const LEFT: u64 = 0x1111_1111_1111_1111;
+    const FRONT: u64 = 0x000F_000F_000F_000F;
+    let x = (cells & !LEFT) >> 1 | (cells << 1) & !LEFT;
+    let y = (cells & !FRONT) >> 4 | (cells << 4) & !FRONT;
+    x | y | cells >> 16 | cells << 16
+}
+
+/// Whether every connected part of the empty cells has a number of cells that pieces can have together: a
+/// quick look before all places are gone through.
+#[inline]
+fn can_be_filled(empty: u64) -> bool {
+    if empty & !beside(empty) != 0 {
+        return false;
+    }
+    let mut rest = empty;
+    while rest != 0 {
+        let mut part = rest & rest.wrapping_neg();
+        loop {
+            let grown = part | beside(part) & rest;
+            let more = grown | beside(grown) & rest;
+            if more == part {
+                break;
+            }
+            part = more;
+        }
+        // At most 64 cells; so many can be filled.
+        if NO_SUMS.checked_shr(part.count_ones()).unwrap_or(0) & 1 == 1 {
+            return false;
+        }
+        rest &= !part;
+    }
+    true
 }
 
 /// A node with its ways to go on.
