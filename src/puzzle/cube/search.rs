@@ -49,11 +49,11 @@ impl Node {
     #[inline]
     fn place(&self, mask: u64, kind: usize, skip: usize, child: &mut Node) -> Pivot {
         child.filled = self.filled | mask;
-        if !can_be_filled(!child.filled) {
-            return Pivot::Dead;
-        }
         child.left = self.left;
         child.left[kind] = child.left[kind].saturating_sub(1);
+        if !balanced(!child.filled, &child.left) || !can_be_filled(!child.filled) {
+            return Pivot::Dead;
+        }
         // How many places there are for every cell: three binary digits, and whether it is eight or more.
         let (mut ones, mut twos, mut fours, mut many) = (0_u64, 0_u64, 0_u64, 0_u64);
         let mut end = 0;
@@ -129,6 +129,16 @@ impl Node {
             }
         }
     }
+}
+
+/// Whether black and white cells can come out even, the cells coloured as a chessboard in space: a piece of
+/// four cells has two of each colour, one of five (the first three types) has one more of either.
+#[inline]
+const fn balanced(empty: u64, left: &[u8; KINDS]) -> bool {
+    const BLACK: u64 = 0xA5A5_5A5A_A5A5_5A5A;
+    let [one, two, three, ..] = *left;
+    let (black, white) = ((empty & BLACK).count_ones(), (empty & !BLACK).count_ones());
+    black.abs_diff(white) <= (one + two + three) as u32
 }
 
 /// Numbers of cells that pieces of four and five cannot fill, as bits.
