@@ -4,7 +4,8 @@
 //! `A.IP3` and `B.IP3`; what exactly was in them is lost. These show what the book shows with such files: closed
 //! frames, multiple points (2.3.4 to 2.3.6), tangents (2.3.3), a measured curve with noise and with an error
 //! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
-//! Fourier curve (2.2) near `A.IP2`. The nets of chapter 3 are in `make_samples/nets.rs`. The same bytes come
+//! Fourier curve (2.2) near `A.IP2`. `A.CSK` and `B.CSK` are two finished Csángó
+//! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`. The same bytes come
 //! out every time.
 
 #[path = "make_samples/nets.rs"]
@@ -13,6 +14,7 @@ mod nets;
 use grafika::editor::fourier::coefficients;
 use grafika::file::{Document, FileError, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{ClosedPath, Fourier};
+use grafika::puzzle::cube::{CORNER, Progress, Search};
 
 type Point = [f64; 2];
 
@@ -44,13 +46,26 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let space = space.into_iter().map(|(name, points)| {
         Ok((name, Document::SpacePoints(SpacePoints::new(points)).write(Format::Ip3)?))
     });
+    let cubes = [("A.CSK", 1997), ("B.CSK", 1998)];
+    let cubes = cubes.into_iter().map(|(name, seed)| Ok((name, finished_cube(seed)?)));
     let single = [
         ("A.GBP", fourier_a()),
         ("A.IC2", Document::PlanePoints(clef()).write(Format::Ic2)),
         ("A.EC2", Document::PlanePoints(clef()).write(Format::Ec2)),
     ];
     let single = single.into_iter().map(|(name, bytes)| Ok((name, bytes?)));
-    plane.chain(space).chain(single).chain(nets::samples()?.into_iter().map(Ok)).collect()
+    let nets = nets::samples()?.into_iter().map(Ok);
+    plane.chain(space).chain(cubes).chain(single).chain(nets).collect()
+}
+
+/// A finished Csángó cube where the program builds it: the first filling that a search of this seed finds.
+fn finished_cube(seed: u64) -> Result<Vec<u8>, FileError> {
+    let filling = match Search::new(&[], seed).advance(u64::MAX) {
+        Progress::Found(filling) => filling.position(CORNER),
+        Progress::Working | Progress::Exhausted => None,
+    };
+    let cube = filling.ok_or_else(|| FileError::Invalid("there is no filling of the cube".to_owned()))?;
+    Document::CsangoCube(cube).write(Format::Csk)
 }
 
 /// A treble clef in one open stroke: few points, and tangents that say the rest.

@@ -2,6 +2,8 @@
 
 #[path = "../biliard.rs"]
 mod biliard;
+#[path = "../csango_k.rs"]
+mod csango_k;
 #[path = "../csav_gy.rs"]
 mod csav_gy;
 #[path = "../eg_kz_k.rs"]
@@ -63,8 +65,8 @@ mod menu;
 mod render;
 mod sample;
 mod smooth;
-mod surface;
 mod solve;
+mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -104,6 +106,7 @@ const PROGRAMS: &[Program] = &[
     zy_hspl::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
+    csango_k::PROGRAM,
 ];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
@@ -133,7 +136,7 @@ enum Command {
     Convert(convert::Convert),
     /// Smooth measured points by a B-spline and a Bézier curve, and tell the residuals
     Smooth(smooth::Smooth),
-    /// Solve a puzzle
+    /// Tell the moves that finish a puzzle, or count the ways
     Solve(solve::Solve),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]

@@ -1,28 +1,37 @@
-//! `grafika solve`: the solution of a puzzle.
+//! `grafika solve`: moves that solve a puzzle, and the number of ways.
 
 use clap::Args;
-use grafika::file::Document;
+use grafika::file::{CsangoCube, Document};
 use grafika::launch::{Failure, open, write_output};
+use grafika::puzzle::cube::{Count, PIECES, Progress, Rules, Search as Filling, Way, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 /// Positions of the wheel that are looked at before an unproven solution is given: some seconds.
 const ENOUGH: u64 = 60_000_000;
 /// Positions between two looks at the progress.
 const PIECE: u64 = 1_000_000;
 
+/// Signs of a position of the cube: four for each piece.
+const CUBE_TEXT: usize = 4 * PIECES;
+/// Moves of the cube in a line of the answer.
+const IN_LINE: usize = 20;
+
 /// The command line of `grafika solve`.
 #[derive(Args)]
 pub(crate) struct Solve {
-    /// A file of a puzzle (.GYK), a position of the bead wheel as the program shows it
-    /// (0-1111-2222-3333-4444-5555-6666), or moves from the solved wheel (MCEM)
+    /// A file of a puzzle (.GYK, .CSK), a position as a program shows it, or moves from the solved wheel (MCEM)
     puzzle: String,
-    /// Count the solutions, for puzzles that have several
+    /// Count the ways to fill the cube around the pieces that lie in its place; without any, up to rotations
     #[arg(long)]
     count: bool,
-    /// Threads to work with, for puzzles whose work can be divided
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
-    threads: u16,
+    /// Threads that count; the number is the same for any
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    threads: Option<u16>,
+    /// Turns of the cube's pieces may not pass through other pieces or the table
+    #[arg(long)]
+    rigid: bool,
 }
 
 impl Solve {
@@ -30,13 +39,21 @@ impl Solve {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         // A file has an extension, a text has no point.
         if !self.puzzle.contains('.') {
-            return self.wheel(&wheel_of_text(&self.puzzle)?);
+            // The cube's text is the longer one, whatever stands in it.
+            return match self.puzzle.trim().chars().count() == CUBE_TEXT {
+                true => self.write_cube(&self.puzzle.parse().map_err(|error| self.problem(error))?),
+                false => self.wheel(&wheel_of_text(&self.puzzle)?),
+            };
         }
         match open(Path::new(&self.puzzle))?.document {
             Document::BeadWheel(wheel) => {
                 self.wheel(&Wheel::try_from(&wheel).map_err(|error| self.problem(error))?)
             }
-            other => Err(self.problem(format!("{}; there is a solver for .GYK", other.format().english()))),
+            Document::CsangoCube(position) => self.write_cube(&position),
+            other => {
+                let what = other.format().english();
+                Err(self.problem(format!("{what}; there are solvers for .GYK and .CSK")))
+            }
         }
     }
 
@@ -51,8 +68,6 @@ impl Solve {
                 "--count: solutions of the bead wheel are not counted, any number of detours leads there",
             ));
         }
-        // One thread is enough here, however many there may be.
-        let _ = self.threads;
         let mut solver = Solver::new(*wheel);
         loop {
             let progress = solver.step(PIECE);
@@ -69,6 +84,57 @@ impl Solve {
         };
         let text = format!("{}\n{} moves, {proof}\n", moves_to_text(&solution.moves), solution.moves.len());
         write_output(None, text.as_bytes())
+    }
+
+    fn write_cube(&self, position: &CsangoCube) -> Result<(), Failure> {
+        let text = self.cube(position).map_err(|why| self.problem(why))?;
+        write_output(None, text.as_bytes())
+    }
+
+    /// The Csángó cube: the moves from the position to the finished cube, or the number of fillings.
+    fn cube(&self, position: &CsangoCube) -> Result<String, String> {
+        let placed = position.placed();
+        if self.count {
+            let count = if placed.is_empty() { all_fillings() } else { Count::with_fixed(&placed) };
+            let total = if position.is_finished() { 1 } else { self.counted(&count) };
+            let up_to = if placed.is_empty() { " up to rotations" } else { "" };
+            return Ok(format!("{total} fillings{up_to}, {} of the pieces in their places\n", placed.len()));
+        }
+        if position.is_finished() {
+            return Ok("the cube is finished\n".to_owned());
+        }
+        let rules = if self.rigid { Rules::Rigid } else { Rules::Book };
+        // What lies in the cube's place stays if it can; else all comes out.
+        let found = [placed, Vec::new()].into_iter().find_map(|fixed| {
+            let mut search = Filling::new(&fixed, 0);
+            let Progress::Found(filling) = search.advance(u64::MAX) else { return None };
+            Way::new(position, &filling, rules).and_then(Way::finish).ok()
+        });
+        let moves = found.ok_or("no solution is found from this position")?;
+        let words: Vec<String> = moves.iter().map(ToString::to_string).collect();
+        let lines: Vec<String> = words.chunks(IN_LINE).map(|line| line.join(" ")).collect();
+        Ok(format!("{} moves\n{}\n", moves.len(), lines.join("\n")))
+    }
+
+    /// Counts the parts on threads: each takes the next one that nobody has taken.
+    fn counted(&self, count: &Count) -> u64 {
+        let available = std::thread::available_parallelism().map_or(1, |number| number.get());
+        let threads = self.threads.map_or(available, usize::from);
+        let (next, total) = (AtomicUsize::new(0), AtomicU64::new(0));
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                scope.spawn(|| {
+                    loop {
+                        let part = next.fetch_add(1, Ordering::Relaxed);
+                        if part >= count.parts() {
+                            break;
+                        }
+                        total.fetch_add(count.part(part).finish(), Ordering::Relaxed);
+                    }
+                });
+            }
+        });
+        total.into_inner()
     }
 }
 

@@ -23,7 +23,6 @@ mod check;
 mod convert;
 mod csv;
 pub mod cube;
-mod cube_shapes;
 mod document;
 mod error;
 mod format;

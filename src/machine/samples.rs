@@ -2,6 +2,7 @@
 
 /// Every built-in sample: name and content.
 pub const SAMPLES: &[(&str, &[u8])] = &[
+    ("A.CSK", include_bytes!("../../data/A.CSK")),
     ("A.EC2", include_bytes!("../../data/A.EC2")),
     ("A.FBS", include_bytes!("../../data/A.FBS")),
     ("A.FEM", include_bytes!("../../data/A.FEM")),
@@ -16,6 +17,7 @@ pub const SAMPLES: &[(&str, &[u8])] = &[
     ("A.ZMS", include_bytes!("../../data/A.ZMS")),
     ("A.ZYB", include_bytes!("../../data/A.ZYB")),
     ("A.ZYS", include_bytes!("../../data/A.ZYS")),
+    ("B.CSK", include_bytes!("../../data/B.CSK")),
     ("B.IP2", include_bytes!("../../data/B.IP2")),
     ("B.IP3", include_bytes!("../../data/B.IP3")),
     ("B.ZMB", include_bytes!("../../data/B.ZMB")),

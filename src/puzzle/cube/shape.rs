@@ -25,9 +25,10 @@ pub fn shape(index: usize) -> Option<&'static PieceShape> {
 }
 
 /// The type of each piece, counted from 0.
-const TYPES: [usize; PIECES] = [0, 1, 2, 3, 4, 5, 1, 2, 0, 1, 2, 3, 4, 5];
+pub(super) const TYPES: [usize; PIECES] = [0, 1, 2, 3, 4, 5, 1, 2, 0, 1, 2, 3, 4, 5];
 
-const SHAPES: [PieceShape; 6] = [
+/// The shapes of the six types.
+pub(super) const SHAPES: [PieceShape; 6] = [
     PieceShape {
         cells: &[[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, 1, 1]],
         corners: &[

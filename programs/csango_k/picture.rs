@@ -1,0 +1,157 @@
+//! The table and the pieces on it, with what is nearest to the viewer at every pixel.
+
+use super::eye::{EDGE, Eye, centre};
+use super::panel::FIELD;
+use grafika::file::cube::{CsangoCube, CubePiece, shape};
+use grafika::geometry::{DepthBuffer, Vertex};
+use grafika::screen::{Color, Screen, Stroke};
+
+/// The pieces as the viewer sees them: piece `k`, from 1, in colour `k`.
+pub(crate) struct Scene(DepthBuffer);
+
+impl Scene {
+    pub(crate) fn new(cube: &CsangoCube, eye: Eye) -> Scene {
+        let size = |from: i32, to: i32| usize::try_from(to - from + 1).unwrap_or(0);
+        let mut buffer = DepthBuffer::new(size(FIELD.x1, FIELD.x2), size(FIELD.y1, FIELD.y2));
+        for k in -5..=5 {
+            let (along, end) = (f64::from(k) * EDGE, 5.0 * EDGE);
+            for [from, to] in [[[along, -end], [along, end]], [[-end, along], [end, along]]] {
+                let [from, to] = [from, to].map(|[x, y]| in_field(eye.vertex([x, y, 0.0])));
+                buffer.line(from, to, Color::Black.index());
+            }
+        }
+        for (index, piece) in cube.pieces.iter().enumerate() {
+            draw_piece(&mut buffer, eye, index, *piece);
+        }
+        Scene(buffer)
+    }
+
+    /// The piece that is seen at a pixel of the screen, from 0.
+    pub(crate) fn piece_at(&self, x: i32, y: i32) -> Option<usize> {
+        let color = self.0.pixel(x - FIELD.x1, y - FIELD.y1)?;
+        usize::from(color).checked_sub(1)
+    }
+
+    pub(crate) fn draw(&self, screen: &mut Screen) {
+        for (y, row) in self.0.rows() {
+            for (x, pixel) in row.iter().enumerate() {
+                if let (Some(color), Ok(x), Ok(y)) = (pixel.color(), i32::try_from(x), i32::try_from(y)) {
+                    screen.set(FIELD.x1 + x, FIELD.y1 + y, Color::from_index(color));
+                }
+            }
+        }
+    }
+}
+
+/// A corner in pixels of the field.
+fn in_field(vertex: Vertex) -> Vertex {
+    Vertex { x: vertex.x - FIELD.x1, y: vertex.y - FIELD.y1, ..vertex }
+}
+
+fn draw_piece(buffer: &mut DepthBuffer, eye: Eye, index: usize, piece: CubePiece) {
+    let Some(shape) = shape(index) else { return };
+    let middle = centre(piece.cell);
+    let place = |corner: &[i8; 3]| {
+        let turned = piece.rotation.map(|row| {
+            row.iter().zip(corner).map(|(&m, &v)| f64::from(m) * f64::from(v)).sum::<f64>() * EDGE / 2.0
+        });
+        [middle[0] + turned[0], middle[1] + turned[1], middle[2] + turned[2]]
+    };
+    let color = u8::try_from(index + 1).unwrap_or(0); // there are 14
+    for face in shape.faces {
+        let corners: Vec<_> = face
+            .iter()
+            .filter_map(|&number| shape.corners.get(usize::from(number).checked_sub(1)?))
+            .map(place)
+            .collect();
+        let pixels: Vec<[f64; 2]> = corners.iter().map(|&corner| eye.pixel(corner)).collect();
+        // Anticlockwise from outside is clockwise where y goes down.
+        if area(&pixels) >= 0.0 {
+            continue;
+        }
+        let mut outline: Vec<Vertex> = corners.iter().map(|&corner| in_field(eye.vertex(corner))).collect();
+        outline.rotate_left(hub(&pixels));
+        buffer.polygon(&outline, color, Some(Color::Black.index()));
+    }
+}
+
+/// Twice the area of a polygon of the picture, with its sign.
+fn area(pixels: &[[f64; 2]]) -> f64 {
+    let next = pixels.iter().cycle().skip(1);
+    pixels.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
+}
+
+/// A corner from which all of a face is seen: one where it is bent in, if there is any. Faces are of four
+/// cells at most, and such a corner is on the edge of both of their bars.
+fn hub(pixels: &[[f64; 2]]) -> usize {
+    let count = pixels.len().max(1);
+    let turn = |k: usize| {
+        let at = |k: usize| pixels.get(k % count).copied().unwrap_or_default();
+        let (a, b, c) = (at(k + count - 1), at(k), at(k + 1));
+        (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+    };
+    (0..count).find(|&k| turn(k) > 1e-6).unwrap_or(0)
+}
+
+/// The axes in the corner of the field.
+pub(crate) fn draw_axes(screen: &mut Screen, eye: Eye) {
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let mut tip = [0.0; 3];
+        tip[axis] = 30.0;
+        let (dx, dy) = eye.axis(tip);
+        screen.line(470, 90, 470 + dx, 90 + dy, Stroke::thin(Color::Black));
+        screen.text(470 + dx, 90 + dy, name, Color::Black);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grafika::puzzle::cube::Rules;
+
+    /// The piece whose cell a ray meets first: the faces of every cell, one by one.
+    fn first_met(cube: &CsangoCube, from: [f64; 3], to: [f64; 3]) -> Option<usize> {
+        let mut nearest = (f64::MAX, None);
+        for (index, piece) in cube.pieces.iter().enumerate() {
+            for cell in piece.cells(index).map(centre) {
+                let (mut enter, mut leave) = (f64::MIN, f64::MAX);
+                for axis in 0..3 {
+                    let way = to[axis] - from[axis];
+                    let sides = [-0.5, 0.5].map(|side| (cell[axis] + side * EDGE - from[axis]) / way);
+                    enter = enter.max(sides[0].min(sides[1]));
+                    leave = leave.min(sides[0].max(sides[1]));
+                }
+                if enter < leave && enter < nearest.0 {
+                    nearest = (enter, Some(index));
+                }
+            }
+        }
+        nearest.1
+    }
+
+    /// Rays from the viewer meet the same pieces that the picture shows, wherever the pieces are: away from
+    /// edges by two pixels, where roundings and outlines are.
+    #[test]
+    fn what_is_nearest_is_seen() {
+        let mut compared = 0;
+        for seed in 0..12_u32 {
+            let cube = CsangoCube::start().scrambled(u64::from(seed), 150 * seed, Rules::Book);
+            let eye = (0..seed % 3).fold(Eye::HOME.turned(7 * seed as i32), |eye, _| eye.higher());
+            let scene = Scene::new(&cube, eye);
+            let met = |x: i32, y: i32| {
+                let (viewer, pixel) = eye.ray(f64::from(x), f64::from(y));
+                first_met(&cube, viewer, pixel)
+            };
+            for (x, y) in (40..490).step_by(9).flat_map(|x| (60..450).step_by(7).map(move |y| (x, y))) {
+                let right = met(x, y);
+                let around = [(2, 0), (-2, 0), (0, 2), (0, -2), (2, 2), (-2, -2), (2, -2), (-2, 2)];
+                if around.iter().all(|&(dx, dy)| met(x + dx, y + dy) == right) {
+                    let outline = scene.0.pixel(x - FIELD.x1, y - FIELD.y1) == Some(0);
+                    assert!(outline || scene.piece_at(x, y) == right, "seed {seed}: {x} {y}");
+                    compared += usize::from(right.is_some() && !outline);
+                }
+            }
+        }
+        assert!(compared > 3000, "{compared}");
+    }
+}

@@ -1,0 +1,83 @@
+//! What the program of the cube says, in Hungarian and English.
+
+use grafika::machine::Language;
+use grafika::puzzle::cube::{Move, Rules};
+use grafika::ui::{KeyHelp, Phrase, Words};
+use std::time::Duration;
+
+pub(crate) const KEYS: &[KeyHelp] = &[
+    (
+        Words("X Y Z, U V W", "X Y Z, U V W"),
+        Words("eltolás a tengely mentén, vissza", "move along the axis, back"),
+    ),
+    (
+        Words("R S T, E F G", "R S T, E F G"),
+        Words("forgatás a tengely körül, vissza", "turn about the axis, back"),
+    ),
+    (
+        Words("A  B  szám", "A  B  number"),
+        Words("másik elem; a száma 1...14", "another piece; its number 1...14"),
+    ),
+    (Words("egér", "mouse"), Words("elem választása, húzása", "choose a piece, drag it")),
+    (Words("görgő", "wheel"), Words("az elem emelése, süllyesztése", "lift the piece, lower it")),
+    (Words("← → ↑ ↓", "← → ↑ ↓"), Words("nézőpont", "point of view")),
+    (
+        Words("F3", "F3"),
+        Words("merev forgatás: semmin sem megy át", "rigid turns: through nothing, on or off"),
+    ),
+    (Words("F4", "F4"), Words("tipp: a következő lépés", "hint: the next move")),
+    (Words("F5", "F5"), Words("megoldás lejátszása; Esc megállítja", "play a solution; Esc stops it")),
+    (Words("F6", "F6"), Words("újra az elejéről", "start again")),
+    (Words("F7", "F7"), Words("összekeverés", "scramble")),
+    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), Words("visszavonás, mégis", "undo, redo")),
+    (Words("Ctrl+S", "Ctrl+S"), Words("mentés", "save")),
+    (Words("Q", "Q"), Words("mentés, új konfiguráció, vége", "save, new configuration, end")),
+];
+
+pub(crate) const LOGO: Words = Words("Emőke játéka", "Emőke's game");
+pub(crate) const LEAVE: Words = Words("kilép", " quit");
+pub(crate) const SELECTION: Words = Words("Kiválasztás", " Selection");
+pub(crate) const NO_CUBE: Words =
+    Words("Ebben a fileban nincs Csángó kocka", "This file holds no position of the Csángó cube");
+pub(crate) const FINISHED: Words = Words("Kész a kocka!", "The cube is finished!");
+pub(crate) const ALREADY: Words = Words("A kocka kész", "The cube is finished");
+pub(crate) const NO_WAY: Words = Words("Nem találok megoldást", "I find no solution");
+pub(crate) const RIGID_ON: Words = Words("A forgatás merev", "Turns are rigid");
+pub(crate) const RIGID_OFF: Words = Words("A forgatás átmegy máson", "Turns go through others");
+pub(crate) const STOPPED: Words = Words("Megállítva", "Stopped");
+
+/// The line under the field: moves, time, rules.
+pub(crate) fn score(moves: u32, time: Duration, rules: Rules, language: Language) -> String {
+    let seconds = time.as_secs();
+    let word = Words("Lépés", "Moves").of(language);
+    let rigid = match rules {
+        Rules::Book => "",
+        Rules::Rigid => Words("  merev", "  rigid").of(language),
+    };
+    format!("{word}: {moves}  {}:{:02}{rigid}", seconds / 60, seconds % 60)
+}
+
+/// The move that is shown.
+pub(crate) fn hint(step: Move, language: Language) -> String {
+    format!("{} {} {}", Words("Tipp:", "Hint:").of(language), step.piece + 1, step.action.letter())
+}
+
+/// How far a search is.
+pub(crate) fn progress((nodes, pieces): (u64, usize), language: Language) -> String {
+    match (nodes, language) {
+        (0, Language::Hungarian) => format!("Út: {pieces}/14  Esc"),
+        (0, Language::English) => format!("Way: {pieces}/14  Esc"),
+        (nodes, Language::Hungarian) => format!("Keresés: {nodes}  Esc"),
+        (nodes, Language::English) => format!("Search: {nodes}  Esc"),
+    }
+}
+
+/// How many moves are left to be played.
+pub(crate) fn left(moves: usize, language: Language) -> String {
+    format!("{}: {moves}  Esc", Words("Hátra", "Left").of(language))
+}
+
+/// What the finished cube took.
+pub(crate) fn finished(moves: u32) -> Phrase {
+    Phrase::new(format!("{} {moves} lépés", FINISHED.0), format!("{} {moves} moves", FINISHED.1))
+}

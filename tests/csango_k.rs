@@ -1,0 +1,244 @@
+//! CSANGO_K as its user sees it: the originals' screens, moves by keys and mouse, undo, hint, solution, files,
+//! random input.
+
+mod common;
+
+#[path = "../programs/csango_k.rs"]
+mod csango_k;
+
+use common::{Kept, pictures, play_script, random};
+use csango_k::PROGRAM;
+use grafika::file::{Document, Format};
+use grafika::machine::{Memory, Script, Storage, play};
+use grafika::puzzle::cube::{CsangoCube, Move, Rules, Way};
+use serde_json::Value;
+
+#[test]
+fn every_reference_script_gives_the_originals_screen() {
+    common::reference::assert_screens(PROGRAM, "reference/games", "CSANGO_K_", 13);
+}
+
+/// Plays a script from the start position; the end is kept as `end`.
+fn run(script: &str) -> Kept {
+    run_on(Memory::default(), &format!("key U\n{script}"))
+}
+
+fn run_on(disk: Memory, script: &str) -> Kept {
+    play_script(PROGRAM, disk, &format!("{script}\nshot end.png\ndump end.json\n"))
+}
+
+fn model(script: &str) -> Value {
+    run(script).models["end.json"].clone()
+}
+
+fn state(script: &str) -> String {
+    model(script)["state"].as_str().expect("it is a text").to_string()
+}
+
+fn position(model: &Value) -> CsangoCube {
+    model["state"].as_str().expect("it is a text").parse().expect("a legal position")
+}
+
+/// A position half way to the finished cube.
+const HALF: &str = "key F5\nwait 8000\nkey Esc\n";
+
+#[test]
+fn golden_pictures() {
+    let cases = [
+        ("csango_hint", "key F4\nwait 1000".to_string()),
+        ("csango_playing", "key F5\nwait 8000".to_string()),
+        ("csango_half", format!("{HALF}key Down\nwait 3000")),
+        ("csango_finished", "key F5\nwait 60000".to_string()),
+        ("csango_from_above", format!("{HALF}key Down\nkey Down\nwait 3000")),
+        ("csango_behind", format!("{HALF}{}wait 3000", "key Left\n".repeat(5))),
+        ("csango_scrambled", "key F7\nkey Left".to_string()),
+        ("csango_scrambled_above", "key F7\nkey F7\nkey Down\nkey Down\nkey Right".to_string()),
+        ("csango_rigid", "key F3\nkey 1\nkey 4\nkey Z\nkey R\nwait 3000".to_string()),
+        ("csango_english", "key F2\nkey Z\nwait 65000".to_string()),
+        ("csango_end", "key Q".to_string()),
+        ("csango_help", "key F1".to_string()),
+        ("csango_help_english", "key F1\nkey F2".to_string()),
+    ];
+    for (name, script) in cases {
+        pictures::assert_golden(name, &run(&script).pictures["end.png"]);
+    }
+}
+
+#[test]
+fn pieces_are_chosen_by_letter_number_and_click() {
+    let piece = |script: &str| model(script)["piece"].clone();
+    assert_eq!(piece(""), 1);
+    assert_eq!([piece("key A"), piece("key B"), piece("key 7")], [2, 14, 7]);
+    assert_eq!([piece("key 1\nkey 2"), piece("key 1\nwait 1500\nkey 2"), piece("key 9\nkey 9")], [12, 2, 9]);
+    assert_eq!(piece("click 200 420"), 5);
+    assert_eq!(piece("click 200 100"), 1, "the field is no piece");
+    assert_eq!(piece("click 506 200"), 1, "nor is its edge");
+    assert_eq!([piece("click 536 55"), piece("click 615 55")], [2, 14]);
+}
+
+#[test]
+fn buttons_do_what_their_letters_do() {
+    let buttons = [('Z', 547, 395), ('W', 602, 395), ('V', 602, 265), ('T', 547, 445), ('X', 547, 135)];
+    for (letter, x, y) in buttons {
+        let before = "key Z\nkey V\n";
+        assert_eq!(
+            state(&format!("{before}key {letter}")),
+            state(&format!("{before}click {x} {y}")),
+            "{letter}"
+        );
+    }
+    assert_ne!(state("key Z"), state(""));
+    assert_eq!(model("key Down\nkey Left")["eye"], model("click 9 270\nclick 240 471")["eye"]);
+}
+
+#[test]
+fn moves_are_counted_undone_and_redone() {
+    assert_eq!(model("key Z\nkey V\nkey X")["moves"], 3);
+    assert_eq!(model("key X")["moves"], 0, "a refused move is none");
+    let before = "key Z\nkey V\n";
+    assert_eq!(state(&format!("{before}key Ctrl+Z\nkey Ctrl+Z")), state(""));
+    assert_eq!(state(&format!("{before}key Ctrl+Z\nkey Ctrl+Y")), state(before));
+    assert_eq!(state(&format!("{before}key F6")), state(""));
+    assert_eq!(state(&format!("{before}key F6\nkey Ctrl+Z")), state(before));
+    assert_ne!(state("key F7"), state(""));
+}
+
+#[test]
+fn rigid_turns_go_through_nothing() {
+    assert_ne!(state("key R"), state(""));
+    assert_eq!(state("key F3\nkey R"), state(""), "through the table");
+    assert_eq!(model("key F3")["rigid"], true);
+    assert_ne!(state("key F3\nkey Z\nkey Z\nkey R"), state("key Z\nkey Z"));
+}
+
+#[test]
+fn a_piece_is_dragged_and_lifted() {
+    // Seen from above, x and y are in the plane that faces the viewer.
+    let above = "key Down\nkey Down\n";
+    let dragged =
+        model(&format!("{above}key 1\nkey 4\nmove 150 245\npress left\nmove 190 245\nrelease left"));
+    println!("{}", dragged["state"]);
+    let lifted = position(&model("key 5\nwheel 3"));
+    assert_eq!(lifted.pieces[4].cell, [9, 0, 3]);
+    assert_eq!(model("key 5\nwheel 3")["moves"], 3);
+    assert_eq!(position(&model("key 5\nwheel 99")).pieces[4].cell, [9, 0, 5]);
+    // From the front, y and z are.
+    let up = "move 200 420\npress left\nmove 200 340\n";
+    let held = position(&model(&format!("{up}release left")));
+    assert_eq!(held.pieces[4].cell, [9, 0, 3]);
+    assert_eq!(state(&format!("{up}key Esc\nrelease left")), state(""));
+    assert_eq!(state(&format!("{up}release left\nkey Ctrl+Z")), state(""));
+    assert_eq!(state(&format!("{up}move 200 420\nrelease left")), state(""));
+}
+
+#[test]
+fn the_hint_is_shown_and_not_made() {
+    let hinted = model("key F4\nwait 1000");
+    assert_eq!((&hinted["moves"], hinted["hint"].is_string()), (&0.into(), true));
+    let text = hinted["hint"].as_str().unwrap();
+    let letter = &text[text.len() - 1..];
+    // The hinted piece is chosen; its move leads to the next hint at once.
+    let next = model(&format!("key F4\nwait 1000\nkey {letter}\nkey F4"));
+    assert_eq!(next["moves"], 1);
+    assert!(next["hint"].is_string());
+}
+
+#[test]
+fn the_solution_is_played_stopped_and_taken_over() {
+    let whole = model("key F5\nwait 60000");
+    assert_eq!((&whole["finished"], &whole["task"]), (&true.into(), &"idle".into()));
+    assert!((80..200).contains(&whole["moves"].as_u64().unwrap()), "{}", whole["moves"]);
+    let half = model(HALF);
+    assert_eq!((&half["finished"], &half["task"]), (&false.into(), &"idle".into()));
+    assert_eq!(model(&format!("{HALF}wait 5000"))["state"], half["state"]);
+    assert_eq!(model(&format!("{HALF}key F5\nwait 60000"))["finished"], true);
+    assert_eq!(model("key F3\nkey F5\nwait 60000")["finished"], true, "rigid turns");
+    let moves = half["moves"].as_u64().unwrap() as usize;
+    assert_eq!(state(&format!("{HALF}{}", "key Ctrl+Z\n".repeat(moves))), state(""));
+    assert_eq!(model("key F7\nkey F5\nwait 120000")["finished"], true, "from a scramble");
+}
+
+fn disk() -> Memory {
+    common::storage("reference/games", &["SOL1.CSK"])
+}
+
+#[test]
+fn positions_are_saved_and_loaded() {
+    let kept = run_on(
+        disk(),
+        "key T\ntype SOL1\nkey Enter\ndump sol.json\nkey Ctrl+S\ntype COPY\nkey Enter\nkey Q\nkey N\nkey N\nkey I\nkey T\ntype COPY\nkey Enter",
+    );
+    assert_eq!(kept.models["sol.json"]["finished"], true);
+    assert_eq!(kept.models["end.json"]["state"], kept.models["sol.json"]["state"]);
+    let sample = run_on(Memory::default(), "key T\ntype A\nkey Enter");
+    assert_eq!(sample.models["end.json"]["finished"], true);
+}
+
+#[test]
+fn impossible_files_are_refused() {
+    let mut disk = disk();
+    let good = disk.read("SOL1.CSK").unwrap();
+    let mut shared = good.clone();
+    shared.copy_within(0..1216, 8 * 1216); // piece 9 is of the same type, and on the same cells then
+    for (number, bytes) in
+        [good[..17023].to_vec(), vec![0; 17024], vec![0xFF; 17024], shared].iter().enumerate()
+    {
+        disk.write("X.CSK", bytes).unwrap();
+        let kept = run_on(disk.clone(), "key T\ntype X\nkey Enter\nkey U");
+        assert_eq!(kept.models["end.json"]["state"], Value::from(state("")), "{number}");
+    }
+}
+
+#[test]
+fn a_finished_cube_comes_apart_and_together_by_moves_alone() {
+    let bytes = disk().read("SOL1.CSK").unwrap();
+    let Ok(Document::CsangoCube(finished)) = Document::read(Format::Csk, &bytes) else { panic!("a cube") };
+    let filling = finished.filling().expect("it is finished");
+    let start = CsangoCube::start();
+    for rules in [Rules::Book, Rules::Rigid] {
+        let moves = Way::new(&start, &filling, rules).and_then(Way::finish).unwrap();
+        println!("{rules:?}: {} moves", moves.len());
+        let together = start.after_all(&moves, rules).unwrap();
+        assert!(together.is_finished());
+        let apart: Vec<Move> = moves.iter().rev().map(|step| step.reverse()).collect();
+        assert_eq!(together.after_all(&apart, rules), Ok(start));
+        // A list without its first move is found out.
+        assert_ne!(together.after_all(&apart[1..], rules), Ok(start));
+        // From where the file has the cube, one cell aside.
+        let aside = Way::new(&finished, &filling, rules).and_then(Way::finish).unwrap();
+        assert!(finished.after_all(&aside, rules).unwrap().is_finished());
+    }
+}
+
+#[test]
+fn the_end_is_asked_for_and_nothing_is_lost() {
+    let ended = |script: &str| {
+        let mut session = common::session(PROGRAM, Memory::default(), Default::default());
+        play(&mut session, &Script::parse(script).unwrap(), &mut Kept::default()).unwrap();
+        session.ended()
+    };
+    assert!(ended("close") && ended("key U\nclose"));
+    assert!(!ended("key U\nkey Z\nclose") && ended("key U\nkey Z\nclose\nkey N"));
+    assert!(ended("key U\nkey Q\nkey N\nkey I") && !ended("key U\nkey Q\nkey Esc"));
+    assert!(!ended("key U\nkey F5\nwait 1000\nclose"));
+}
+
+#[test]
+fn a_recorded_session_replays_to_the_same_picture() {
+    random::assert_replays(PROGRAM, &random::script(7, 500));
+    random::assert_replays(PROGRAM, &format!("key U\n{HALF}key F7\nkey F4\nwait 999\n"));
+}
+
+/// Random events, more of them with `GRAFIKA_EVENTS`; then a legal position, whatever was done.
+#[test]
+fn random_events_do_no_harm() {
+    let events = std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000);
+    random::storm(PROGRAM, events);
+    for seed in 1..4 {
+        let kept = run(&random::script(seed, events / 10));
+        // The program may have ended before; then there is no model.
+        if let Some(model) = kept.models.get("end.json") {
+            assert_eq!(position(model).fault(), None);
+        }
+    }
+}
