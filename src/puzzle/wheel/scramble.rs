@@ -42,7 +42,7 @@ impl Dice {
         word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         word ^= word >> 31;
         // The upper half of a product of 128 bits is below the bound; its unevenness is below 2^-58.
-        (u128::from(word) * bound as u128 >> 64) as usize
+        ((u128::from(word) * bound as u128) >> 64) as usize
     }
 }
 
