@@ -314,9 +314,9 @@ mod tests {
             }
             let turn = "IJKLMN".find(letter).unwrap();
             let before = self.a[turn / 2 + 1];
-            for l in 1..=6 {
-                let to = if turn % 2 == 0 { l % 6 + 1 } else { (l + 4) % 6 + 1 };
-                self.a[turn / 2 + 1][to] = before[l];
+            for (l, bead) in before.into_iter().enumerate().skip(1) {
+                let to = if turn.is_multiple_of(2) { l % 6 + 1 } else { (l + 4) % 6 + 1 };
+                self.a[turn / 2 + 1][to] = bead;
             }
         }
     }
