@@ -219,11 +219,14 @@ fn a_recorded_session_replays_to_the_same_picture() {
     }
 }
 
-/// Random events for every program. A hundred thousand each take long; `GRAFIKA_EVENTS` says how many.
+/// Random events for every program. A hundred thousand each take long: `GRAFIKA_EVENTS` says how many, and
+/// `GRAFIKA_PROGRAM` names one program.
 #[test]
 fn random_events_do_no_harm() {
     let events = std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000);
-    for &program in PROGRAMS {
+    let only = std::env::var("GRAFIKA_PROGRAM").ok();
+    let asked = |program: &&Program| only.as_deref().is_none_or(|name| name == program.manual.name);
+    for &program in PROGRAMS.iter().filter(asked) {
         random::storm(program, events);
     }
 }
