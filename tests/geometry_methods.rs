@@ -413,8 +413,15 @@ fn doubled_ends_repeat_the_end_points() {
         let given = with(1);
         let auxiliary = Weights::with_ends(method, Ends::Auxiliary, 11).unwrap().arcs(&given).unwrap();
         assert_eq!(doubled.len(), auxiliary.len());
-        for (a, b) in doubled.iter().zip(&auxiliary) {
-            assert!((0..4).all(|c| distance(a.p[c], b.p[c]) < TOLERANCE), "{method:?}");
+        for (span, (a, b)) in doubled.iter().zip(&auxiliary).enumerate() {
+            // The straight end spans of the quadratic B-spline run evenly (3.32, 3.35), the others as they are.
+            let even = method == Method::BSpline2 && (span == 0 || span + 1 == doubled.len());
+            let third = |c: usize| {
+                let t = c as f64 / 3.0;
+                std::array::from_fn(|d| (1.0 - t) * b.p[0][d] + t * b.p[3][d])
+            };
+            let expected = |c: usize| if even { third(c) } else { b.p[c] };
+            assert!((0..4).all(|c| distance(a.p[c], expected(c)) < TOLERANCE), "{method:?}");
         }
     }
 }

@@ -6,6 +6,7 @@
 //! net by itself have to be those that knot insertion gives. Where they are not, there is no finer net, as
 //! four points of a uniform cubic B-spline are fixed by its span: this is an error that says so.
 
+use super::weave::one_pole;
 use super::{Border, Scheme, Surface, Topology};
 use crate::geometry::point::{add_scaled, lerp};
 use crate::geometry::{Ends, GeometryError, Method, Point, Weights};
@@ -83,7 +84,7 @@ pub fn refine(
     direction: RefineDirection,
 ) -> Result<Vec<Vec<Point<3>>>, GeometryError> {
     Surface::new(scheme, net)?;
-    let mut finer = net.to_vec();
+    let mut finer = one_pole(scheme.topology, net).unwrap_or_else(|| net.to_vec());
     if direction != RefineDirection::U {
         finer = finer_rows(scheme, &finer)?;
     }

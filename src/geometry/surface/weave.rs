@@ -40,7 +40,7 @@ pub(super) fn patches(
 
 /// The net of a sphere with the poles of its first row in every row: files in single precision have them
 /// apart by rounding, and the surface shall have no gap there.
-fn one_pole(topology: Topology, net: &[Vec<Point<3>>]) -> Option<Vec<Vec<Point<3>>>> {
+pub(super) fn one_pole(topology: Topology, net: &[Vec<Point<3>>]) -> Option<Vec<Vec<Point<3>>>> {
     let poles = [net.first()?.first().copied()?, net.first()?.last().copied()?];
     if topology != Topology::Sphere {
         return None;
