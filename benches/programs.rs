@@ -102,7 +102,7 @@ const SPHERE: net::Plan = net::Plan {
     family: net::Family::Local,
     start: net::Start::Sphere(160.0),
     steps: 10,
-    view: net::VIEW,
+    view: NetKind::VIEW,
 };
 
 /// A step of an arrow key with a surface in the picture.

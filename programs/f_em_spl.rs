@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
     family: Family::Heights,
     start: Start::Plane(70.0),
     steps: 12,
-    view: net::VIEW,
+    view: NetKind::VIEW,
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
     family: Family::Bezier,
     start: Start::Plane(120.0),
     steps: 16,
-    view: net::VIEW,
+    view: NetKind::VIEW,
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
     family: Family::Hermite,
     start: Start::Square(300.0),
     steps: 16,
-    view: net::HERMITE_VIEW,
+    view: NetKind::HERMITE_VIEW,
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
     family: Family::Spline,
     start: Start::Plane(80.0),
     steps: 12,
-    view: net::VIEW,
+    view: NetKind::VIEW,
 };
 
 pub(crate) const PROGRAM: Program = Program {

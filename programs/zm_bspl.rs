@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
     family: Family::BSpline,
     start: Start::Sphere(120.0),
     steps: 10,
-    view: net::VIEW,
+    view: NetKind::VIEW,
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
     family: Family::Beta,
     start: Start::Torus(160.0, 60.0),
     steps: 10,
-    view: net::TORUS_VIEW,
+    view: NetKind::TORUS_VIEW,
 };
 
 pub(crate) const PROGRAM: Program = Program {

@@ -156,7 +156,7 @@ fn a_click_chooses_a_drag_moves_and_both_are_undone() {
     let dragged = points(&play("f_p_spln", "drag 331 260 331 160"));
     assert_eq!(before[2][2], [0.0; 3]);
     // The height of a pixel upwards in a view of 14.7 degrees over the plane of x and y.
-    let view = grafika::geometry::View::from_direction(grafika::editor::net::VIEW);
+    let view = grafika::geometry::View::from_direction(grafika::file::NetKind::VIEW);
     let [right, up] = view.place(dragged[2][2]);
     assert!(right.abs() < 1e-9 && (up - 100.0).abs() < 1e-9);
     assert_eq!(points(&play("f_p_spln", "drag 331 260 331 160\nkey Ctrl+Z")), before);

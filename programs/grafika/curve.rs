@@ -132,22 +132,15 @@ impl CurveArgs {
         let k0 = self.k0.or(settings.k0).unwrap_or(0.5);
         let bias = self.bias.or(settings.bias).unwrap_or(1.0);
         let tension = self.tension.or(settings.tension).unwrap_or(0.0);
-        let method = match self.named().or(settings.method) {
-            Some(MethodName::Coons) => Method::Coons { k0 },
-            Some(MethodName::Bezier) => Method::Bezier,
-            Some(MethodName::Spline) => Method::Spline,
-            Some(MethodName::BSpline2) => Method::BSpline2,
-            Some(MethodName::BSpline3) => Method::BSpline3,
-            Some(MethodName::Beta) => Method::Beta { bias, tension },
-            Some(MethodName::Local) => Method::Local { k0 },
-            Some(MethodName::Hermite) => {
-                return Err(Failure::usage("hermite needs tangents, as an .IC2 file with its .EC2 has them"));
-            }
-            Some(MethodName::Fourier) => {
-                return Err(Failure::usage("fourier needs coefficients, as a .GBP file has them"));
-            }
-            None => return Err(Failure::usage("which method? Give --method, as in --method spline")),
+        let Some(name) = self.named().or(settings.method) else {
+            return Err(Failure::usage("which method? Give --method, as in --method spline"));
         };
+        let method = name.with(k0, bias, tension).ok_or_else(|| {
+            Failure::usage(match name {
+                MethodName::Fourier => "fourier needs coefficients, as a .GBP file has them",
+                _ => "hermite needs tangents, as an .IC2 file with its .EC2 has them",
+            })
+        })?;
         Ok((method, self.closure(settings)))
     }
 }

@@ -96,15 +96,7 @@ impl SurfaceArgs {
         let k0 = pair([self.k0_u, self.k0_v], common.k0, net.settings.k0, 0.5);
         let bias = pair([self.bias_u, self.bias_v], common.bias, net.settings.bias, 1.0);
         let tension = pair([self.tension_u, self.tension_v], common.tension, net.settings.tension, 0.0);
-        let along = |d: usize| match method {
-            MethodName::Spline => Some(Method::Spline),
-            MethodName::Local | MethodName::Coons => Some(Method::Local { k0: k0[d] }),
-            MethodName::Bezier => Some(Method::Bezier),
-            MethodName::BSpline2 => Some(Method::BSpline2),
-            MethodName::BSpline3 => Some(Method::BSpline3),
-            MethodName::Beta => Some(Method::Beta { bias: bias[d], tension: tension[d] }),
-            MethodName::Hermite | MethodName::Fourier => None,
-        };
+        let along = |d: usize| method.with(k0[d], bias[d], tension[d]);
         Some([along(0)?, along(1)?])
     }
 }
@@ -125,11 +117,7 @@ impl Surfaced {
     pub(crate) fn polygons(&self) -> Vec<(Vec<Point<3>>, bool)> {
         let points = self.points();
         let columns = points.first().map_or(0, Vec::len);
-        let [closed_u, closed_v] = match self.net.kind.topology() {
-            Topology::Open => [false, false],
-            Topology::Sphere => [true, false],
-            Topology::Torus => [true, true],
-        };
+        let [closed_u, closed_v] = self.net.kind.topology().closed();
         let along_u = (0..columns).map(|l| points.iter().filter_map(|row| row.get(l).copied()).collect());
         let along_u = along_u.map(|line| (line, closed_u));
         along_u.chain(points.iter().map(|row| (row.clone(), closed_v))).collect()

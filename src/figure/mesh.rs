@@ -6,7 +6,7 @@
 
 use super::FigureError;
 use super::number::Number;
-use crate::geometry::{BoundingBox, Grid, Point};
+use crate::geometry::{BoundingBox, Grid, Point, cross, dot};
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -269,14 +269,6 @@ fn normal([a, b, c]: [Point<3>; 3]) -> Point<3> {
     };
     // Scaled first: the product of tiny legs would vanish.
     unit(cross(unit(leg(b)), unit(leg(c))))
-}
-
-fn cross(a: Point<3>, b: Point<3>) -> Point<3> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn dot(a: Point<3>, b: Point<3>) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 #[cfg(test)]

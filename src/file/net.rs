@@ -66,12 +66,14 @@ pub struct Net {
     pub settings: NetSettings,
 }
 
-/// Steep and flat views at the start of the surface programs.
-const VIEW: [f64; 3] = [0.3, -0.7, 0.2];
-const HERMITE_VIEW: [f64; 3] = [0.4, -0.7, 0.2];
-const TORUS_VIEW: [f64; 3] = [0.3, -0.7, 0.4];
-
 impl NetKind {
+    /// The direction from which most surface programs see their net at first.
+    pub const VIEW: [f64; 3] = [0.3, -0.7, 0.2];
+    /// That of the Hermite patch.
+    pub const HERMITE_VIEW: [f64; 3] = [0.4, -0.7, 0.2];
+    /// That of the larger tori, from higher above.
+    pub const TORUS_VIEW: [f64; 3] = [0.3, -0.7, 0.4];
+
     /// Every kind.
     pub const ALL: [Self; 10] = [
         Self::Fhc,
@@ -159,9 +161,9 @@ impl NetKind {
     #[must_use]
     pub fn view(self) -> [f64; 3] {
         match self {
-            Self::Fhc => HERMITE_VIEW,
-            Self::Zyp => TORUS_VIEW,
-            _ => VIEW,
+            Self::Fhc => Self::HERMITE_VIEW,
+            Self::Zyp => Self::TORUS_VIEW,
+            _ => Self::VIEW,
         }
     }
 

@@ -42,6 +42,23 @@ impl Method {
         ("fourier", Self::Fourier),
     ];
 
+    /// The method that draws so, with the parameters that it has among these; `None` for those that need
+    /// more than control points.
+    #[must_use]
+    pub fn with(self, k0: f64, bias: f64, tension: f64) -> Option<crate::geometry::Method> {
+        use crate::geometry::Method;
+        Some(match self {
+            Self::Coons => Method::Coons { k0 },
+            Self::Bezier => Method::Bezier,
+            Self::Spline => Method::Spline,
+            Self::BSpline2 => Method::BSpline2,
+            Self::BSpline3 => Method::BSpline3,
+            Self::Beta => Method::Beta { bias, tension },
+            Self::Local => Method::Local { k0 },
+            Self::Hermite | Self::Fourier => return None,
+        })
+    }
+
     /// The method of a name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {

@@ -68,7 +68,7 @@ pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
 pub use method::{Closure, Ends, Method};
-pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point};
+pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point, cross, dot};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };

@@ -27,6 +27,18 @@ pub(super) fn scaled_difference<const D: usize>(k: f64, a: Point<D>, b: Point<D>
     std::array::from_fn(|d| k * (b[d] - a[d]))
 }
 
+/// The scalar product of two vectors.
+#[must_use]
+pub fn dot<const D: usize>(a: Point<D>, b: Point<D>) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// The vector product of two vectors in space.
+#[must_use]
+pub fn cross(a: Point<3>, b: Point<3>) -> Point<3> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// Euclidean length of a vector, without premature overflow or underflow.
 pub(super) fn norm<const D: usize>(v: Point<D>) -> f64 {
     let largest = v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));

@@ -5,7 +5,7 @@
 //! pole the azimuth is still known, and beyond it the axis z points down in the picture. Nothing here
 //! draws, and hidden parts are not looked for.
 
-use super::Point;
+use super::{Point, dot};
 use std::f64::consts::{PI, TAU};
 
 /// What one arrow key turns by, in radians: 3 degrees.
@@ -157,10 +157,6 @@ fn wrapped(angle: f64) -> f64 {
         return 0.0;
     }
     if -PI < angle && angle <= PI { angle } else { PI - (PI - angle).rem_euclid(TAU) }
-}
-
-fn dot(a: Point<3>, b: Point<3>) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ mod plan;
 mod show;
 mod surface;
 
-pub use plan::{Family, HERMITE_VIEW, Plan, Start, TORUS_VIEW, VIEW};
+pub use plan::{Family, Plan, Start};
 pub use show::{SHOW_KEYS, Show, show, shows_nothing_else};
 
 use super::History;

@@ -147,7 +147,7 @@ impl Editor {
                 }
             }
             _ => {
-                for (from, to) in net_lines(model, self.plan.closed()) {
+                for (from, to) in net_lines(model, self.plan.kind.topology().closed()) {
                     line(screen, from, to, Color::LightGray);
                 }
             }

@@ -2,7 +2,7 @@
 
 use super::nets;
 use crate::file::NetKind;
-use crate::geometry::{Border, Method, Point, Scheme, Topology};
+use crate::geometry::{Border, Method, Point, Scheme};
 use crate::ui::Manual;
 
 /// A surface program.
@@ -56,13 +56,6 @@ pub enum Start {
     Torus(f64, f64),
 }
 
-/// Directions of the surface programs' first views.
-pub const VIEW: Point<3> = [0.3, -0.7, 0.2];
-/// That of the Hermite patch.
-pub const HERMITE_VIEW: Point<3> = [0.4, -0.7, 0.2];
-/// That of the larger tori, from higher above.
-pub const TORUS_VIEW: Point<3> = [0.3, -0.7, 0.4];
-
 impl Plan {
     /// The net of a new configuration, row by row.
     pub(super) fn net(&self) -> Vec<Vec<Point<3>>> {
@@ -72,15 +65,6 @@ impl Plan {
             Start::Plane(spacing) => nets::plane(shape, spacing),
             Start::Sphere(radius) => nets::sphere(shape, radius),
             Start::Torus(ring, tube) => nets::torus(shape, ring, tube),
-        }
-    }
-
-    /// Whether the rows and the points in them are joined in the picture of the net.
-    pub(super) fn closed(&self) -> [bool; 2] {
-        match self.kind.topology() {
-            Topology::Open => [false, false],
-            Topology::Sphere => [true, false],
-            Topology::Torus => [true, true],
         }
     }
 

@@ -4,7 +4,7 @@ use super::Editor;
 use super::model::Model;
 use super::plan::Family;
 use crate::editor::look::Look;
-use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex};
+use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex, dot};
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::words::{self, Phrase};
 
@@ -35,7 +35,6 @@ impl Drawn {
         let points = self.grid.points();
         let Some(&origin) = points.first() else { return true };
         let offset = |point: &Point<3>| -> Point<3> { std::array::from_fn(|d| point[d] - origin[d]) };
-        let dot = |a: Point<3>, b: Point<3>| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let farthest = points.iter().map(offset).max_by(|a, b| dot(*a, *a).total_cmp(&dot(*b, *b)));
         let Some(line) = farthest else { return true };
         let length = dot(line, line);

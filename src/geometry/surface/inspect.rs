@@ -2,10 +2,9 @@
 //! derivatives alone have none, at the poles of a sphere's net and beside coinciding control points. There
 //! they are limits along short ways into the patch.
 
-use super::patch::dot;
 use super::{Body, Derivatives, Surface};
-use crate::geometry::Point;
 use crate::geometry::point::{norm, scaled_difference};
+use crate::geometry::{Point, cross, dot};
 
 /// Derivatives shorter than this part of the largest coordinate may be nothing but rounding.
 const SHORT: f64 = 1e-10;
@@ -79,7 +78,7 @@ fn clear_normal(at: &Derivatives, size: f64) -> Option<Point<3>> {
         return None;
     }
     let unit = Derivatives { u: at.u.map(|x| x / along_u), v: at.v.map(|x| x / along_v), ..*at };
-    let normal = super::patch::cross(unit.u, unit.v);
+    let normal = cross(unit.u, unit.v);
     let sine = norm(normal);
     (sine > NARROW).then(|| normal.map(|x| x / sine))
 }

@@ -43,6 +43,16 @@ impl Topology {
             Self::Torus => "torus",
         }
     }
+
+    /// Whether it is joined in the directions of `u` and `v`.
+    #[must_use]
+    pub fn closed(self) -> [bool; 2] {
+        match self {
+            Self::Open => [false, false],
+            Self::Sphere => [true, false],
+            Self::Torus => [true, true],
+        }
+    }
 }
 
 /// Where a cubic B-spline surface ends.
@@ -240,7 +250,15 @@ impl Surface {
     /// The point of spans (i, j) at (u, v), both clipped to [0, 1]; `None` outside the spans.
     #[must_use]
     pub fn eval(&self, i: usize, j: usize, u: f64, v: f64) -> Option<Point<3>> {
-        self.derivatives(i, j, u, v).map(|at| at.point)
+        let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
+        match &self.body {
+            Body::Patches(_) => self.patch(i, j).map(|patch| patch.eval(u, v)),
+            Body::Bezier(net) if (i, j) == (0, 0) => {
+                let across = columns_at(net, |column| column.eval(u))?;
+                Some(Bezier::new(Closure::Open, &across).ok()?.eval(v))
+            }
+            Body::Bezier(_) => None,
+        }
     }
 
     /// The derivatives at a place as in [`Surface::eval`], by the parameters of the spans.

@@ -1,6 +1,6 @@
 //! The bicubic Bézier patch: what every piecewise surface is made of.
 
-use crate::geometry::{CubicBezier, Point};
+use crate::geometry::{CubicBezier, Point, cross, dot};
 
 /// A bicubic Bézier patch (3.24), parameters `u` and `v` in [0, 1]. Bézier point `p[r][c]` counts `r` in the
 /// direction of `u`, `c` in that of `v`.
@@ -99,12 +99,4 @@ impl Derivatives {
         let curvature = second / first;
         curvature.is_finite().then_some(curvature)
     }
-}
-
-pub(super) fn cross(a: Point<3>, b: Point<3>) -> Point<3> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn dot(a: Point<3>, b: Point<3>) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

@@ -6,10 +6,9 @@
 //! however the plane touches the surface. What is smaller than a cell of the grid may be missed, and a part of
 //! the surface that lies in the plane has no section but its border towards what is below.
 
-use super::patch::dot;
 use super::{Direction, Grid, Surface};
 use crate::geometry::point::{check_points, lerp, norm, scaled_difference};
-use crate::geometry::{GeometryError, Point};
+use crate::geometry::{GeometryError, Point, dot};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The plane of the points whose product with `normal` is `offset`.
