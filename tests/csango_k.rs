@@ -232,7 +232,7 @@ fn a_recorded_session_replays_to_the_same_picture() {
 /// Random events, more of them with `GRAFIKA_EVENTS`; then a legal position, whatever was done.
 #[test]
 fn random_events_do_no_harm() {
-    let events = std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000);
+    let events = random::events();
     random::storm(PROGRAM, events);
     for seed in 1..4 {
         let kept = run(&random::script(seed, events / 10));

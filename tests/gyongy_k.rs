@@ -231,6 +231,5 @@ fn a_recorded_session_replays_to_the_same_picture() {
 /// Random events; `GRAFIKA_EVENTS` says how many.
 #[test]
 fn random_events_do_no_harm() {
-    let events = std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000);
-    random::storm(PROGRAM, events);
+    random::storm(PROGRAM, random::events());
 }

@@ -7,7 +7,7 @@ use super::texts;
 use grafika::editor::History;
 use grafika::machine::{Button, Event, Key, Machine, Quit, StorageProblem, Tick};
 use grafika::table::{Surface, Table};
-use grafika::ui::{Answer, Desk, Manual, Phrase, Question, Stay, Way};
+use grafika::ui::{Answer, Desk, Manual, Phrase, Question, Stay, Way, words};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -221,7 +221,7 @@ impl Player {
         self.grip = None;
         let stopped = self.rolling.take().is_some_and(|rolling| rolling.pace == Pace::Full);
         if !stopped && !self.games.undo() {
-            desk.tell(texts::NO_MORE, Stay::Briefly);
+            desk.tell(words::NO_MORE, Stay::Briefly);
         }
     }
 
@@ -229,7 +229,7 @@ impl Player {
         self.grip = None;
         self.come_to_rest();
         if !self.games.redo() {
-            desk.tell(texts::NO_MORE, Stay::Briefly);
+            desk.tell(words::NO_MORE, Stay::Briefly);
         }
     }
 
@@ -260,7 +260,7 @@ impl Player {
     /// Asks whether this is the end; a game for points is offered to be saved first.
     async fn end(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
         let view = self.settle(desk);
-        if !desk.yes(&view, texts::ASK_END).await? {
+        if !desk.yes(&view, words::ASK_END).await? {
             return Ok(false);
         }
         if self.unsaved() { self.offer_to_save(desk).await } else { Ok(true) }
@@ -299,7 +299,7 @@ impl Player {
     async fn save(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
         let view = self.settle(desk);
         let Some(name) = desk.file_name(&view, EXTENSION, Way::Save).await? else { return Ok(false) };
-        if desk.machine.storage().find(&name).is_some() && !desk.yes(&view, texts::exists(&name)).await? {
+        if desk.machine.storage().find(&name).is_some() && !desk.yes(&view, words::exists(&name)).await? {
             return Ok(false);
         }
         match store(self.games.now(), desk, &name) {
@@ -334,13 +334,13 @@ fn store(game: &Game, desk: &mut Desk<'_>, name: &str) -> Result<(), Phrase> {
     let mut content =
         serde_json::to_vec_pretty(game).map_err(|error| texts::no_game(name, &error.to_string()))?;
     content.push(b'\n');
-    desk.machine.storage().write(name, &content).map_err(|error| texts::storage(&error))
+    desk.machine.storage().write(name, &content).map_err(|error| Phrase::plain(&error))
 }
 
 fn read(desk: &mut Desk<'_>, name: &str) -> Result<Game, Phrase> {
     let content = desk.machine.storage().read(name).map_err(|error| match error.problem {
-        StorageProblem::NotFound => texts::NO_SUCH_FILE.into(),
-        _ => texts::storage(&error),
+        StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
+        _ => Phrase::plain(&error),
     })?;
     Game::read(&content).map_err(|why| texts::no_game(name, &why))
 }

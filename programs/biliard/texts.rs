@@ -1,7 +1,7 @@
 //! What the billiard says, in Hungarian and English.
 
 use super::game::{GOAL, Points};
-use grafika::machine::{Language, StorageError};
+use grafika::machine::Language;
 use grafika::ui::{KeyHelp, Phrase, Words};
 
 pub(crate) const KEYS: &[KeyHelp] = &[
@@ -22,13 +22,10 @@ pub(crate) const KEYS: &[KeyHelp] = &[
     (Words("Q", "Q"), Words("vége", "end")),
 ];
 
-pub(crate) const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
 pub(crate) const ASK_NEW: Words = Words("      Új felállítás ?", "         New rack ?");
 pub(crate) const ASK_SAVE: Words = Words("     Menteni a játékot ?", "      Save the game ?");
-pub(crate) const NO_MORE: Words = Words("Nincs több változás", "There is no more change");
 pub(crate) const NO_SHOT: Words = Words("Még nem volt lökés", "There was no shot yet");
 pub(crate) const SAVED: Words = Words("Elmentve", "Saved");
-pub(crate) const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
 pub(crate) const REPLAY: Words = Words("Lassítva", "Slow motion");
 pub(crate) const NO_DOCUMENT: Words = Words(
     "a biliárd játékait a Ctrl+O tölti be",
@@ -62,16 +59,6 @@ pub(crate) fn spin(quarters: i32, language: Language) -> String {
         0 => format!("{word}: 0"),
         quarters => format!("{word}: {quarters:+}/4"),
     }
-}
-
-/// Whether a file that exists shall be overwritten.
-pub(crate) fn exists(name: &str) -> Phrase {
-    Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
-}
-
-/// A file that could not be read or written.
-pub(crate) fn storage(error: &StorageError) -> Phrase {
-    Phrase::new(error.to_string(), error.to_string())
 }
 
 /// A file that is no game.

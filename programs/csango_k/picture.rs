@@ -33,12 +33,8 @@ impl Scene {
     }
 
     pub(crate) fn draw(&self, screen: &mut Screen) {
-        for (y, row) in self.0.rows() {
-            for (x, pixel) in row.iter().enumerate() {
-                if let (Some(color), Ok(x), Ok(y)) = (pixel.color(), i32::try_from(x), i32::try_from(y)) {
-                    screen.set(FIELD.x1 + x, FIELD.y1 + y, Color::from_index(color));
-                }
-            }
+        for (y, (_, row)) in (FIELD.y1..).zip(self.0.rows()) {
+            screen.row(FIELD.x1, y, row.iter().map(|pixel| pixel.color().map(Color::from_index)));
         }
     }
 }

@@ -12,7 +12,7 @@ use grafika::file::{CsangoCube, Document, Format};
 use grafika::machine::{Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Quit, Tick};
 use grafika::puzzle::cube::{Action, Move, PIECES, Rules};
 use grafika::screen::{Color, Screen};
-use grafika::ui::{Desk, Manual, Phrase, Picture, Stay};
+use grafika::ui::{Desk, Manual, Phrase, Picture, Stay, Stopwatch};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -28,13 +28,6 @@ pub(crate) struct Play {
     moves: u32,
 }
 
-/// The clock: it runs from the first move to the finished cube.
-#[derive(Clone, Copy, Debug, Default)]
-struct Clock {
-    begun: Option<Duration>,
-    ended: Option<Duration>,
-}
-
 /// The program's state.
 struct Player {
     plays: History<Play>,
@@ -43,7 +36,7 @@ struct Player {
     selected: usize,
     eye: Eye,
     rules: Rules,
-    clock: Clock,
+    clock: Stopwatch,
     /// The desk's time at the last look.
     now: Duration,
     digit: Option<(usize, Duration)>,
@@ -108,7 +101,7 @@ impl Player {
             selected: 0,
             eye: Eye::HOME,
             rules: Rules::Book,
-            clock: Clock::default(),
+            clock: Stopwatch::default(),
             now: Duration::ZERO,
             digit: None,
             hand: None,
@@ -142,7 +135,7 @@ impl Player {
             (Task::Idle, Some(hint)) => texts::hint(hint, language),
             (Task::Idle, None) => match (self.plays.now().moves, self.rules) {
                 (0, Rules::Book) => String::new(),
-                (moves, rules) => texts::score(moves, self.clock.at(self.now), rules, language),
+                (moves, rules) => texts::score(moves, self.clock.time(self.now), rules, language),
             },
         }
     }
@@ -151,12 +144,11 @@ impl Player {
     async fn tick(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
         self.now = desk.clock();
         desk.machine.publish(self.model());
-        let running = self.clock.begun.filter(|_| self.clock.ended.is_none() && self.plays.now().moves > 0);
-        let tick = match (&self.task, running) {
+        let second = self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0);
+        let tick = match (&self.task, second) {
             (Task::Idle, None) => desk.event(&*self).await?,
-            (Task::Idle, Some(begun)) => {
-                let passed = self.now.saturating_sub(begun).subsec_nanos();
-                let next = desk.machine.now() + Duration::from_nanos(u64::from(1_000_000_000 - passed));
+            (Task::Idle, Some(second)) => {
+                let next = desk.machine.now() + second.saturating_sub(self.now);
                 desk.event_before(&*self, next).await?
             }
             (Task::Seeking(_), _) => {
@@ -218,7 +210,7 @@ impl Player {
     /// Makes another position the present one, so many moves later.
     fn change(&mut self, cube: CsangoCube, moves: u32) {
         self.hinted = false;
-        self.clock.begun.get_or_insert(self.now);
+        self.clock.note(false, self.now);
         let moves = self.plays.now().moves.saturating_add(moves);
         self.plays.change(Play { cube, moves });
     }
@@ -227,17 +219,15 @@ impl Player {
         let play = *self.plays.now();
         if play.cube.is_finished() && play.moves > 0 {
             self.task = Task::Idle;
-            self.clock.ended.get_or_insert(self.now);
+            self.clock.note(true, self.now);
             desk.tell(texts::finished(play.moves), Stay::Briefly);
-        } else {
-            self.clock.ended = None;
         }
     }
 
     /// Another position, from which the moves are counted anew.
     fn begin(&mut self, cube: CsangoCube) {
         self.plays.change(Play { cube, moves: 0 });
-        self.clock = Clock::default();
+        self.clock = Stopwatch::default();
         (self.hinted, self.plan, self.task) = (false, None, Task::Idle);
     }
 
@@ -361,13 +351,6 @@ impl Player {
         matches!(tick.event, Some(Event::Key(_) | Event::Press(_) | Event::Wheel(_)))
     }
 }
-
-impl Clock {
-    fn at(self, now: Duration) -> Duration {
-        self.begun.map_or(Duration::ZERO, |begun| self.ended.unwrap_or(now).saturating_sub(begun))
-    }
-}
-
 impl Configuration for Player {
     type Value = Play;
 

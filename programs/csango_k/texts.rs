@@ -1,8 +1,9 @@
 //! What the program of the cube says, in Hungarian and English.
 
+use grafika::editor::keys;
 use grafika::machine::Language;
 use grafika::puzzle::cube::{Move, Rules};
-use grafika::ui::{KeyHelp, Phrase, Words};
+use grafika::ui::{KeyHelp, Phrase, Stopwatch, Words};
 use std::time::Duration;
 
 pub(crate) const KEYS: &[KeyHelp] = &[
@@ -29,9 +30,9 @@ pub(crate) const KEYS: &[KeyHelp] = &[
     (Words("F5", "F5"), Words("megoldás lejátszása; Esc megállítja", "play a solution; Esc stops it")),
     (Words("F6", "F6"), Words("újra az elejéről", "start again")),
     (Words("F7", "F7"), Words("összekeverés", "scramble")),
-    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), Words("visszavonás, mégis", "undo, redo")),
-    (Words("Ctrl+S", "Ctrl+S"), Words("mentés", "save")),
-    (Words("Q", "Q"), Words("mentés, új konfiguráció, vége", "save, new configuration, end")),
+    keys::UNDO,
+    keys::SAVE,
+    keys::QUIT,
 ];
 
 pub(crate) const LOGO: Words = Words("Emőke játéka", "Emőke's game");
@@ -48,13 +49,12 @@ pub(crate) const STOPPED: Words = Words("Megállítva", "Stopped");
 
 /// The line under the field: moves, time, rules.
 pub(crate) fn score(moves: u32, time: Duration, rules: Rules, language: Language) -> String {
-    let seconds = time.as_secs();
     let word = Words("Lépés", "Moves").of(language);
     let rigid = match rules {
         Rules::Book => "",
         Rules::Rigid => Words("  merev", "  rigid").of(language),
     };
-    format!("{word}: {moves}  {}:{:02}{rigid}", seconds / 60, seconds % 60)
+    format!("{word}: {moves}  {}{rigid}", Stopwatch::text(time))
 }
 
 /// The move that is shown.

@@ -5,7 +5,6 @@ use grafika::file::Document;
 use grafika::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
 use grafika::ui::Phrase;
 use serde::Serialize;
-use std::time::Duration;
 
 /// A problem that can be made again from its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +44,7 @@ impl Game {
     /// Why it is none.
     pub(crate) fn of(document: &Document) -> Result<Game, Phrase> {
         let Document::BeadWheel(wheel) = document else { return Err(texts::NO_WHEEL.into()) };
-        Wheel::try_from(wheel).map(Game::from).map_err(|error| texts::plain(&error))
+        Wheel::try_from(wheel).map(Game::from).map_err(|error| Phrase::plain(&error))
     }
 
     /// The game after a move, if it is possible.
@@ -57,31 +56,5 @@ impl Game {
     /// The same game from its start.
     pub(crate) fn restarted(&self) -> Game {
         Game { wheel: self.start, moves: 0, ..self.clone() }
-    }
-}
-
-/// The time of a game: from the first move until it is solved.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Clock {
-    begun: Option<Duration>,
-    ended: Option<Duration>,
-}
-
-impl Clock {
-    /// Notes a change of the position.
-    pub(crate) fn note(&mut self, solved: bool, now: Duration) {
-        self.begun.get_or_insert(now);
-        self.ended = solved.then(|| self.ended.unwrap_or(now));
-    }
-
-    /// The time of the game so far.
-    pub(crate) fn time(&self, now: Duration) -> Duration {
-        self.begun.map_or(Duration::ZERO, |begun| self.ended.unwrap_or(now).saturating_sub(begun))
-    }
-
-    /// When the time shows another second; `None` while it stands.
-    pub(crate) fn next_second(&self, now: Duration) -> Option<Duration> {
-        let begun = self.begun.filter(|_| self.ended.is_none())?;
-        Some(begun + Duration::from_secs(self.time(now).as_secs() + 1))
     }
 }

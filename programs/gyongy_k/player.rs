@@ -1,6 +1,6 @@
 //! What the player does: moves, questions, and what goes on by itself.
 
-use super::game::{Clock, Game, Problem};
+use super::game::{Game, Problem};
 use super::picture::{BUTTONS, Board, GoingOn, View, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
@@ -12,7 +12,7 @@ use grafika::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
 use grafika::screen::Screen;
 use grafika::ui::{
     Answer, Area, Caption, Choices, Desk, Field, Form, MIDDLE, Manual, Number, Phrase, Picture, Question,
-    Stay,
+    Stay, Stopwatch,
 };
 use serde::Serialize;
 use std::time::Duration;
@@ -27,7 +27,7 @@ struct Player {
     begun: bool,
     /// Whether the buttons have come up.
     buttons: bool,
-    clock: Clock,
+    clock: Stopwatch,
     /// Time on the clock when the picture is drawn.
     now: Duration,
     hint: Option<Move>,
@@ -66,7 +66,7 @@ pub(crate) async fn run(
         games: History::new(Game::from(Wheel::solved())),
         begun: false,
         buttons: false,
-        clock: Clock::default(),
+        clock: Stopwatch::default(),
         now: Duration::ZERO,
         hint: None,
         show: Show::Nothing,
@@ -168,7 +168,7 @@ impl Player {
     fn begin(&mut self, game: Game) {
         self.stop();
         self.games = History::new(game);
-        self.clock = Clock::default();
+        self.clock = Stopwatch::default();
         (self.begun, self.buttons) = (true, true);
     }
 
@@ -299,7 +299,7 @@ impl Player {
     fn replace(&mut self, game: Game) {
         self.stop();
         self.games.change(game);
-        self.clock = Clock::default();
+        self.clock = Stopwatch::default();
     }
 
     /// Carries out a key; `Some` leads out of the game.

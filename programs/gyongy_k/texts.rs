@@ -1,9 +1,10 @@
 //! What the bead wheel says, in Hungarian and English.
 
 use super::game::Problem;
+use grafika::editor::keys;
 use grafika::machine::Language;
 use grafika::puzzle::wheel::{Difficulty, Move, Progress};
-use grafika::ui::{Hot, KeyHelp, Phrase, Words};
+use grafika::ui::{Hot, KeyHelp, Stopwatch, Words};
 use std::time::Duration;
 
 pub(crate) const KEYS: &[KeyHelp] = &[
@@ -26,7 +27,7 @@ pub(crate) const KEYS: &[KeyHelp] = &[
     (Words("S", "S"), Words("megoldás keresése és lejátszása", "search and play a solution")),
     (Words("X", "X"), Words("bemutató", "demonstration")),
     (Words("Ctrl+S", "Ctrl+S"), Words("mentés (.GYK)", "save (.GYK)")),
-    (Words("Q", "Q"), Words("mentés, új konfiguráció, vége", "save, new configuration, end")),
+    keys::QUIT,
     (
         Words("Esc", "Esc"),
         Words(
@@ -36,23 +37,19 @@ pub(crate) const KEYS: &[KeyHelp] = &[
     ),
 ];
 
-const fn hot(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
-    Hot { letter, rest: Words(hungarian, english) }
-}
-
 pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "      Configuration ?");
-pub(crate) const PLAY: Hot = hot('J', "áték", "-game");
-pub(crate) const LEARN: Hot = hot('T', "anulás", "-learn");
-pub(crate) const DEMONSTRATION: Hot = hot('X', "-bemut.", "-demo");
-pub(crate) const QUIT: Hot = hot('Q', "-kilép", "-quit");
+pub(crate) const PLAY: Hot = Hot::new('J', "áték", "-game");
+pub(crate) const LEARN: Hot = Hot::new('T', "anulás", "-learn");
+pub(crate) const DEMONSTRATION: Hot = Hot::new('X', "-bemut.", "-demo");
+pub(crate) const QUIT: Hot = Hot::new('Q', "-kilép", "-quit");
 
 pub(crate) const ASK_DIFFICULTY: Words = Words("Hány lépésre a megoldástól ?", "How many moves away ?");
 pub(crate) const DIFFICULTIES: [(Hot, Difficulty); 5] = [
-    (hot('4', "", ""), Difficulty::Four),
-    (hot('8', "", ""), Difficulty::Eight),
-    (hot('1', "6", "6"), Difficulty::Sixteen),
-    (hot('K', "önyv", "-book"), Difficulty::Book),
-    (hot('V', "életlen", "-any"), Difficulty::Any),
+    (Hot::new('4', "", ""), Difficulty::Four),
+    (Hot::new('8', "", ""), Difficulty::Eight),
+    (Hot::new('1', "6", "6"), Difficulty::Sixteen),
+    (Hot::new('K', "önyv", "-book"), Difficulty::Book),
+    (Hot::new('V', "életlen", "-any"), Difficulty::Any),
 ];
 pub(crate) const NUMBER: Words = Words("Sorszám:", "Number:");
 
@@ -65,16 +62,10 @@ pub(crate) const TAKE_OVER: Words = Words("Esc - átveszem", "Esc - take over");
 pub(crate) const ESC_BACK: Words = Words("Esc - vissza", "Esc - back");
 pub(crate) const SOLVED: Words = Words("Kirakva!", "Solved!");
 
-/// An error of the library, which speaks English.
-pub(crate) fn plain(error: &dyn std::fmt::Display) -> Phrase {
-    Phrase::new(error.to_string(), error.to_string())
-}
-
 /// The moves and the time of a game.
 pub(crate) fn score(moves: u32, time: Duration, language: Language) -> String {
-    let (minutes, seconds) = (time.as_secs() / 60, time.as_secs() % 60);
     let [moved, took] = [Words("Lépés:", "Moves:"), Words("Idő:", "Time:")].map(|it| it.of(language));
-    format!("{moved} {moves}   {took} {minutes}:{seconds:02}")
+    format!("{moved} {moves}   {took} {}", Stopwatch::text(time))
 }
 
 /// Which problem it is.

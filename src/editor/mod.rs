@@ -12,7 +12,7 @@ pub mod drawing;
 mod field;
 pub mod fourier;
 mod history;
-mod keys;
+pub mod keys;
 mod look;
 pub mod net;
 mod place;

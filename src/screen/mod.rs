@@ -81,6 +81,17 @@ impl Screen {
         }
     }
 
+    /// Gives pixels of a row their colours, from one to the right; where there is none it stays.
+    pub fn row(&mut self, x: i32, y: i32, colors: impl Iterator<Item = Option<Color>>) {
+        let Some(end) = offset(WIDTH - 1, y) else { return };
+        let colors = colors.skip(usize::try_from(-i64::from(x)).unwrap_or(0));
+        let start = (end + 1 - WIDTH as usize) + usize::try_from(x).unwrap_or(0);
+        let row = self.pixels.get_mut(start..=end).unwrap_or_default();
+        for (pixel, color) in row.iter_mut().zip(colors) {
+            *pixel = color.map_or(*pixel, Color::index);
+        }
+    }
+
     /// Paints the whole screen in one colour.
     pub fn clear(&mut self, color: Color) {
         self.pixels.fill(color.index());
@@ -198,6 +209,27 @@ mod tests {
         assert_eq!(written, Screen::new());
         written.set(0, 0, Color::Blue);
         assert_ne!(written, Screen::new());
+    }
+
+    #[test]
+    fn rows_of_pixels_are_clipped_and_leave_what_has_no_colour() {
+        let mut screen = Screen::new();
+        screen.bar(0, 0, 7, 3, Color::Blue);
+        let colors = || [Some(Color::Red), None, Some(Color::White)].into_iter();
+        screen.row(2, 1, colors());
+        screen.row(-1, 2, colors());
+        for (x, y) in [(0, -1), (0, HEIGHT), (WIDTH, 0), (i32::MIN, 0), (i32::MAX, 0)] {
+            screen.row(x, y, colors());
+        }
+        assert_art(
+            &screen,
+            "11111111
+             1141F111
+             1F111111
+             11111111",
+        );
+        screen.row(WIDTH - 1, 0, colors());
+        assert_eq!(screen.pixel(WIDTH - 1, 0), Some(Color::Red));
     }
 
     #[test]

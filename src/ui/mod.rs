@@ -10,6 +10,7 @@ mod entry;
 mod frame;
 mod lesson;
 mod notice;
+mod stopwatch;
 pub mod words;
 
 pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, TOP, Way};
@@ -18,4 +19,5 @@ pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};
 pub use lesson::Lesson;
 pub use notice::Stay;
+pub use stopwatch::Stopwatch;
 pub use words::{Hot, Phrase, Words};

@@ -33,6 +33,12 @@ impl Phrase {
         Phrase { hungarian: hungarian.into(), english: english.into() }
     }
 
+    /// What has one text for both languages: an error of the library, which speaks English.
+    pub fn plain(text: &dyn std::fmt::Display) -> Phrase {
+        let text = text.to_string();
+        Phrase::new(text.clone(), text)
+    }
+
     /// The text in a language.
     pub fn of(&self, language: Language) -> &str {
         match language {
@@ -57,38 +63,43 @@ pub struct Hot {
     pub rest: Words,
 }
 
-const fn hot(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
-    Hot { letter, rest: Words(hungarian, english) }
+impl Hot {
+    /// A hot letter with the rest of the word in Hungarian and in English.
+    #[must_use]
+    pub const fn new(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
+        Hot { letter, rest: Words(hungarian, english) }
+    }
 }
 
 // Answers.
-pub(crate) const YES: Hot = hot('I', "gen", "-yes");
-pub(crate) const NO: Hot = hot('N', "em", "-no");
-pub(crate) const NEW: Hot = hot('U', "j", "-new");
-pub(crate) const STORED: Hot = hot('T', "árolt", "-file");
-pub(crate) const OPEN: Hot = hot('N', "yitott", "-open");
-pub(crate) const CLOSED: Hot = hot('Z', "árt", "-ring");
-pub(crate) const NUMBER: Hot = hot('S', "orszám", "-numb.");
-pub(crate) const PLACE: Hot = hot('H', "ely", "-place");
-pub(crate) const TWO: Hot = hot('2', "", "");
-pub(crate) const THREE: Hot = hot('3', "", "");
+pub(crate) const YES: Hot = Hot::new('I', "gen", "-yes");
+pub(crate) const NO: Hot = Hot::new('N', "em", "-no");
+pub(crate) const NEW: Hot = Hot::new('U', "j", "-new");
+pub(crate) const STORED: Hot = Hot::new('T', "árolt", "-file");
+pub(crate) const OPEN: Hot = Hot::new('N', "yitott", "-open");
+pub(crate) const CLOSED: Hot = Hot::new('Z', "árt", "-ring");
+pub(crate) const NUMBER: Hot = Hot::new('S', "orszám", "-numb.");
+pub(crate) const PLACE: Hot = Hot::new('H', "ely", "-place");
+pub(crate) const TWO: Hot = Hot::new('2', "", "");
+pub(crate) const THREE: Hot = Hot::new('3', "", "");
 
 // Command buttons of the curve programs.
-pub(crate) const CHANGE: Hot = hot('V', "álaszt", "-change");
-pub(crate) const QUIT: Hot = hot('Q', "-kilép", "-quit");
-pub(crate) const RESULT: Hot = hot('E', "redmény", "-result");
-pub(crate) const INSERT: Hot = hot('B', "eszúr", "-insert");
-pub(crate) const DELETE: Hot = hot('T', "öröl", "-delete");
-pub(crate) const CURVE: Hot = hot('G', "örbe", "-curve");
+pub(crate) const CHANGE: Hot = Hot::new('V', "álaszt", "-change");
+pub(crate) const QUIT: Hot = Hot::new('Q', "-kilép", "-quit");
+pub(crate) const RESULT: Hot = Hot::new('E', "redmény", "-result");
+pub(crate) const INSERT: Hot = Hot::new('B', "eszúr", "-insert");
+pub(crate) const DELETE: Hot = Hot::new('T', "öröl", "-delete");
+pub(crate) const CURVE: Hot = Hot::new('G', "örbe", "-curve");
 
 // Method buttons.
-pub(crate) const COONS: Hot = hot('1', " Coons", " Coons");
-pub(crate) const BEZIER: Hot = hot('2', " Bézier", " Bézier");
-pub(crate) const SPLINE: Hot = hot('3', " Spline", " Spline");
-pub(crate) const B_SPLINE: Hot = hot('4', " B-spl.", " B-spl.");
+pub(crate) const COONS: Hot = Hot::new('1', " Coons", " Coons");
+pub(crate) const BEZIER: Hot = Hot::new('2', " Bézier", " Bézier");
+pub(crate) const SPLINE: Hot = Hot::new('3', " Spline", " Spline");
+pub(crate) const B_SPLINE: Hot = Hot::new('4', " B-spl.", " B-spl.");
 
 // Questions. The blanks centre them as in the original.
-pub(crate) const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
+/// The question whether to end.
+pub const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
 pub(crate) const ASK_NEW: Words = Words("     Uj konfiguráció ?", "    New configuration ?");
 pub(crate) const ASK_SAVE: Words = Words(" Menteni a konfigurációt ?", "  Save the configuration ?");
 pub(crate) const ASK_CONFIGURATION: Words = Words("       Konfiguráció ?", "      Configuration ?");
@@ -97,7 +108,8 @@ pub(crate) const ASK_DEGREE: Words = Words("      Polinomok foka ?", "          
 pub(crate) const ASK_CHANGE: Words = Words("      Mi változik ?", "       What changes ?");
 pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "   Show control points ?");
 pub(crate) const FILE_NAME: Words = Words("File neve ?", "File name ?");
-pub(crate) const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
+/// A name that no file has.
+pub const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
 
 // The help page's tables of operations.
 pub(crate) const LESSON_AXES: Words = Words("képernyő le, kép jobbra", "screen down, image right");
@@ -174,7 +186,8 @@ pub(crate) const FULL: Words = Words("Több pont nem fér: 99 van", "No room: th
 pub(crate) const NO_POINTS: Words = Words("Nincs még pont", "There is no point yet");
 pub(crate) const TOO_FEW: Words = Words("Legalább 3 pont kell", "At least 3 points are needed");
 pub(crate) const NO_CURVE: Words = Words("Előbb görbét: G", "First a curve: G");
-pub(crate) const NO_MORE: Words = Words("Nincs több változás", "There is no more change");
+/// There is nothing to undo or redo.
+pub const NO_MORE: Words = Words("Nincs több változás", "There is no more change");
 pub(crate) const FOLLOWS: Words = Words("A görbe követi a pontokat", "The curve follows the points");
 pub(crate) const FOLLOWS_NOT: Words = Words("A görbe csak húzáskor követ", "The curve follows drags only");
 pub(crate) const ENTER_BACK: Words = Words("Enter - vissza", "Enter - back");
@@ -206,7 +219,7 @@ pub(crate) fn too_many_points(count: usize) -> Phrase {
 }
 
 /// Whether a file that exists shall be overwritten.
-pub(crate) fn exists(name: &str) -> Phrase {
+pub fn exists(name: &str) -> Phrase {
     Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
 }
 
@@ -235,10 +248,10 @@ pub(crate) const JOINT_TENSION: Words = Words("fesz.=", "tens.=");
 pub(crate) const JOINTS_ALIKE: Words = Words("Minden csatlakozás egyforma", "All joints are alike");
 
 // Tangents.
-pub(crate) const POINT: Hot = hot('P', "ont", "-oint");
-pub(crate) const TANGENT: Hot = hot('E', "rintő", "-tang.");
-pub(crate) const LENGTH: Hot = hot('H', "ossz", "-size");
-pub(crate) const ANGLE: Hot = hot('S', "zög", "-angle");
+pub(crate) const POINT: Hot = Hot::new('P', "ont", "-oint");
+pub(crate) const TANGENT: Hot = Hot::new('E', "rintő", "-tang.");
+pub(crate) const LENGTH: Hot = Hot::new('H', "ossz", "-size");
+pub(crate) const ANGLE: Hot = Hot::new('S', "zög", "-angle");
 // The ROM's capitals with accents are hard to read; the original sets commas over plain ones.
 pub(crate) const COONS_TITLE: Words = Words("COONS INTERPOLACIO", "COONS INTERPOLATION");
 pub(crate) const COONS_ACCENTS: Words = Words(",  ,", "");
@@ -261,8 +274,8 @@ pub(crate) fn now_it_is(number: f64) -> Phrase {
 }
 
 // Beta-splines.
-pub(crate) const BIAS_BUTTON: Hot = hot('A', " - elt.", " - bias");
-pub(crate) const TENSION_BUTTON: Hot = hot('C', " - fesz", " - tens");
+pub(crate) const BIAS_BUTTON: Hot = Hot::new('A', " - elt.", " - bias");
+pub(crate) const TENSION_BUTTON: Hot = Hot::new('C', " - fesz", " - tens");
 pub(crate) const BIAS_ENTRY: Words = Words("Eltolás:", "Bias:");
 pub(crate) const TENSION_ENTRY: Words = Words("Feszültség:", "Tension:");
 pub(crate) const BIAS_NAME: Words = Words("Eltolás", "Bias");
@@ -318,8 +331,8 @@ pub(crate) const LETTER: Words = Words("név", "name");
 pub(crate) const DIGITS: Words = Words("szám", "no.");
 pub(crate) const HARMONICS_ENTRY: Words = Words("harmonikusok:", "harmonics:");
 pub(crate) const ASK_FIT_SHAPE: Words = Words("Mit közelítsen ?", "Fit to what ?");
-pub(crate) const POLYGON: Hot = hot('P', "oligon", "olygon");
-pub(crate) const SPLINE_SHAPE: Hot = hot('S', "pline", "pline");
+pub(crate) const POLYGON: Hot = Hot::new('P', "oligon", "olygon");
+pub(crate) const SPLINE_SHAPE: Hot = Hot::new('S', "pline", "pline");
 pub(crate) const OF_POLYGON: Words = Words("poligon", "polygon");
 pub(crate) const OF_SPLINE: Words = Words("spline", "spline");
 pub(crate) const NO_COEFFICIENTS: Words = Words(
@@ -359,22 +372,22 @@ pub(crate) fn residuals(rms: f64, largest: f64, at: usize) -> Phrase {
 }
 
 // The surface programs.
-pub(crate) const SURFACE: Hot = hot('F', "elület", "-surf.");
-pub(crate) const NET_QUIT: Hot = hot('Q', "- kilép", "- quit");
-pub(crate) const K0_BUTTON: Hot = hot('C', " - k0", " - k0");
+pub(crate) const SURFACE: Hot = Hot::new('F', "elület", "-surf.");
+pub(crate) const NET_QUIT: Hot = Hot::new('Q', "- kilép", "- quit");
+pub(crate) const K0_BUTTON: Hot = Hot::new('C', " - k0", " - k0");
 pub(crate) const ASK_DISPLAY: Words = Words("          Megjelenítés ?", "            Display ?");
-pub(crate) const WIRE: Hot = hot('D', "rótváz", "-wires");
-pub(crate) const FILLED: Hot = hot('T', "ele", "-filled");
+pub(crate) const WIRE: Hot = Hot::new('D', "rótváz", "-wires");
+pub(crate) const FILLED: Hot = Hot::new('T', "ele", "-filled");
 pub(crate) const ASK_DIRECTION: Words = Words("          Irány ?", "        Direction ?");
-pub(crate) const ALONG_U: Hot = hot('U', "", "");
-pub(crate) const ALONG_V: Hot = hot('V', "", "");
+pub(crate) const ALONG_U: Hot = Hot::new('U', "", "");
+pub(crate) const ALONG_V: Hot = Hot::new('V', "", "");
 pub(crate) const ASK_AXIS: Words = Words("Melyik tengely irányában ?", "In the direction of ?");
-pub(crate) const AXES: [Hot; 3] = [hot('X', "", ""), hot('Y', "", ""), hot('Z', "", "")];
+pub(crate) const AXES: [Hot; 3] = [Hot::new('X', "", ""), Hot::new('Y', "", ""), Hot::new('Z', "", "")];
 pub(crate) const WHAT_CHANGES: Words = Words("Mi változik ?", "What changes ?");
 pub(crate) const TANGENT_TITLE: Words = Words("Érintő", "Tangent");
-pub(crate) const TWIST: Hot = hot('T', "wist", "wist");
-pub(crate) const TANGENT_U: Hot = hot('U', " irány", " dir.");
-pub(crate) const TANGENT_V: Hot = hot('V', " irány", " dir.");
+pub(crate) const TWIST: Hot = Hot::new('T', "wist", "wist");
+pub(crate) const TANGENT_U: Hot = Hot::new('U', " irány", " dir.");
+pub(crate) const TANGENT_V: Hot = Hot::new('V', " irány", " dir.");
 pub(crate) const TANGENT_U_TITLE: Words = Words("Érintő-u", "Tangent-u");
 pub(crate) const TANGENT_V_TITLE: Words = Words("Érintő-v", "Tangent-v");
 pub(crate) const TWIST_TITLE: Words = Words("Twist", "Twist");

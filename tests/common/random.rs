@@ -103,6 +103,11 @@ pub(crate) fn script(seed: u64, events: usize) -> String {
     text.lines().filter(|line| *line != "close").map(|line| format!("{line}\n")).collect()
 }
 
+/// How many random events a storm has: some thousands, or as many as `GRAFIKA_EVENTS` says.
+pub(crate) fn events() -> usize {
+    std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000)
+}
+
 /// Sends random events to a program, which is started again whenever it ends.
 pub(crate) fn storm(program: Program, events: usize) {
     let start = || session(program, Memory::default(), Settings::default());

@@ -109,16 +109,9 @@ impl Editor {
             Inspection::Zebra => Box::new(move |place| place.zebra(toward)),
             Inspection::Curvature => Box::new(move |place| place.curvature(size)),
         };
-        let colors: Vec<Color> =
-            places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place)).collect();
-        draw_cells(screen, &grid, look, {
-            let next = std::cell::Cell::new(0);
-            move |_| {
-                let color = colors.get(next.get()).copied().unwrap_or(FLAT);
-                next.set(next.get() + 1);
-                (color, None)
-            }
-        });
+        let mut colors =
+            places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place));
+        draw_cells(screen, &grid, look, |_| (colors.next().unwrap_or(FLAT), None));
         true
     }
 }

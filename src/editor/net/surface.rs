@@ -109,17 +109,32 @@ pub(super) fn draw_cells(
     screen: &mut Screen,
     grid: &Grid,
     look: Look,
-    inks: impl Fn(&[Vertex; 4]) -> (Color, Option<Color>),
+    mut inks: impl FnMut(&[Vertex; 4]) -> (Color, Option<Color>),
 ) {
-    let mut buffer = DepthBuffer::new(WIDTH as usize, HEIGHT as usize);
-    let vertices: Vec<Vertex> = grid.points().iter().map(|&point| vertex(look, point)).collect();
+    let mut vertices: Vec<Vertex> = grid.points().iter().map(|&point| vertex(look, point)).collect();
+    let Some((corner, [width, height])) = seen(&vertices) else { return };
+    for vertex in &mut vertices {
+        (vertex.x, vertex.y) = (vertex.x.saturating_sub(corner.0), vertex.y.saturating_sub(corner.1));
+    }
+    let mut buffer = DepthBuffer::new(width, height);
     for cell in grid.cells() {
         // The indices are those of the grid's points.
         let corners = cell.map(|index| vertices.get(index).copied().unwrap_or_default());
         let (fill, edge) = inks(&corners);
         buffer.cell(&corners, fill as u8, edge.map(|edge| edge as u8));
     }
-    show(screen, &buffer);
+    show(screen, &buffer, corner);
+}
+
+/// The part of the screen that vertices span: its upper left pixel, width and height. `None` if it is empty.
+fn seen(vertices: &[Vertex]) -> Option<((i32, i32), [usize; 2])> {
+    let span = |along: fn(&Vertex) -> i32, size: i32| {
+        let (least, most) = vertices.iter().map(along).fold((size, -1), |(a, b), x| (a.min(x), b.max(x)));
+        let (least, most) = (least.max(0), most.min(size - 1));
+        (least <= most).then(|| (least, (most - least + 1) as usize))
+    };
+    let ((x, width), (y, height)) = (span(|it| it.x, WIDTH)?, span(|it| it.y, HEIGHT)?);
+    Some(((x, y), [width, height]))
 }
 
 fn vertex(look: Look, point: Point<3>) -> Vertex {
@@ -133,13 +148,9 @@ fn below(corners: &[Vertex; 4]) -> bool {
     (c.0 - a.0) * (d.1 - b.1) - (c.1 - a.1) * (d.0 - b.0) < 0.0
 }
 
-/// Puts what a depth buffer shows onto the screen.
-fn show(screen: &mut Screen, buffer: &DepthBuffer) {
-    for (y, row) in (0..).zip(buffer.rows().map(|(_, row)| row)) {
-        for (x, pixel) in (0..).zip(row) {
-            if let Some(color) = pixel.color().and_then(|number| Color::ALL.get(usize::from(number))) {
-                screen.set(x, y, *color);
-            }
-        }
+/// Puts what a depth buffer shows onto the screen, its upper left pixel at a place.
+fn show(screen: &mut Screen, buffer: &DepthBuffer, (x, y): (i32, i32)) {
+    for (y, (_, row)) in (y..).zip(buffer.rows()) {
+        screen.row(x, y, row.iter().map(|pixel| pixel.color().map(Color::from_index)));
     }
 }

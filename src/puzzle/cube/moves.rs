@@ -2,6 +2,7 @@
 
 use super::position::{CsangoCube, CubePiece, TABLE_CELLS, add, on_table};
 use super::shape::PIECES;
+use crate::puzzle::dice::Dice;
 use std::fmt;
 
 /// Words of 64 bits that a table takes.
@@ -320,17 +321,9 @@ impl CsangoCube {
     /// The position after so many random tries to move a piece; the same for the same seed.
     #[must_use]
     pub fn scrambled(&self, seed: u64, tries: u32, rules: Rules) -> CsangoCube {
-        let mut state = seed;
-        let mut below = |bound: usize| {
-            // SplitMix64.
-            state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-            let mut word = state;
-            word = (word ^ (word >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            ((word ^ (word >> 31)) % bound as u64) as usize
-        };
+        let mut dice = Dice::new(seed);
         (0..tries).fold(*self, |cube, _| {
-            let (piece, action) = (below(PIECES), Action::ALL[below(Action::ALL.len())]);
+            let (piece, action) = (dice.below(PIECES), Action::ALL[dice.below(Action::ALL.len())]);
             cube.after(Move { piece, action }, rules).unwrap_or(cube)
         })
     }

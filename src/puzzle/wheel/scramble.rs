@@ -1,6 +1,7 @@
 //! Problems that a number and a difficulty make again anywhere.
 
 use super::{Move, Wheel, moves::Tail, state::ARMS};
+use crate::puzzle::dice::Dice;
 
 /// How hard a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -31,26 +32,11 @@ pub struct Scramble {
 /// Draws of the book's scramble.
 const DRAWS: usize = 97;
 
-/// A small generator (SplitMix64): the same numbers everywhere.
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut word = self.0;
-        word = (word ^ (word >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        word = (word ^ (word >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        word ^= word >> 31;
-        // The upper half of a product of 128 bits is below the bound; its unevenness is below 2^-58.
-        ((u128::from(word) * bound as u128) >> 64) as usize
-    }
-}
-
 impl Scramble {
     /// The problem of a number.
     #[must_use]
     pub fn new(difficulty: Difficulty, number: u64) -> Scramble {
-        let mut dice = Dice(number);
+        let mut dice = Dice::new(number);
         match difficulty {
             Difficulty::Four => really_far(4, &mut dice),
             Difficulty::Eight => really_far(8, &mut dice),
