@@ -159,6 +159,17 @@ impl Figure {
         self.axes = Some(axes);
     }
 
+    /// The axes, if it has any.
+    #[must_use]
+    pub fn axes(&self) -> Option<Axes> {
+        self.axes
+    }
+
+    /// Takes the axes away.
+    pub fn clear_axes(&mut self) {
+        self.axes = None;
+    }
+
     /// Adds a row of cubic arcs, each beginning where the one before ends; where it does not, the line
     /// is interrupted.
     pub fn curve(&mut self, arcs: Vec<CubicBezier<2>>, closure: Closure, style: Style) {

@@ -24,6 +24,8 @@ pub(super) struct Notice {
     pub(super) text: Phrase,
     /// The moment at which it goes by itself.
     pub(super) until: Option<Duration>,
+    /// Whether a film shows it.
+    pub(super) filmed: bool,
 }
 
 /// Letters in a line of a short message, which stands where the questions stand.
