@@ -47,7 +47,7 @@ pub use axes::Axes;
 pub use error::FigureError;
 pub use mesh::Mesh;
 pub use picture::{Figure, LARGEST_WIDTH, LONGEST_CAPTION, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
-pub use plot::{CURVE_INK, Hidden, closure, tolerance};
+pub use plot::{CURVE_INK, Hidden, closure, print_ink, tolerance};
 pub use screen_png::{LARGEST_SCALE, screen_png, screen_png_of_scale};
 pub use screen_shapes::{screen_pdf, screen_svg};
 pub use step::surface_step;

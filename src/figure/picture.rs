@@ -143,6 +143,12 @@ impl Figure {
         Figure::default()
     }
 
+    /// Whether nothing has been added.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
     /// Puts a title above the picture.
     pub fn set_title(&mut self, title: impl Into<String>) {
         self.title = Some(title.into());

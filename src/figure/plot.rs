@@ -4,6 +4,7 @@
 use super::picture::{Figure, Style};
 use super::wireframe::{all_lines, visible_lines};
 use crate::geometry::{BoundingBox, Closure, CubicBezier, Grid, Point, View};
+use crate::screen::Color;
 
 /// Greatest distance of a picture's arcs from the curve, by the size of the curve: far below a
 /// thousandth of a pixel in a picture 800 pixels wide.
@@ -25,6 +26,13 @@ const EDGE: [u8; 3] = [170, 0, 0];
 
 /// The colour of a curve that stands alone.
 pub const CURVE_INK: [u8; 3] = [0, 0, 170];
+
+/// A colour of the screen, which is for black ground, as one for white paper: darker.
+#[must_use]
+pub fn print_ink(color: Color) -> [u8; 3] {
+    // Two thirds of a byte are a byte.
+    color.rgb().map(|channel| (u16::from(channel) * 2 / 3) as u8)
+}
 
 /// Whether the lines that a surface hides are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,15 +88,29 @@ impl Figure {
         self.disc(at, JOINT_RADIUS, Style::filled(CURVE_INK, CURVE_INK), None);
     }
 
+    /// Adds a tangent: dashed from its tip to its other end, with a mark at the tip.
+    pub fn plot_tangent(&mut self, tip: Point<2>, end: Point<2>) {
+        self.plot_polygon(vec![tip, end], Closure::Open);
+        self.disc(tip, JOINT_RADIUS, Style::filled(POLYGON, POLYGON), None);
+    }
+
+    /// Adds a line of a plane section through a surface.
+    pub fn plot_section(&mut self, line: Vec<Point<2>>) {
+        self.polyline(line, Closure::Open, Style::line(EDGE, CURVE_WIDTH));
+    }
+
+    /// Adds a border of a surface, which is straight from point to point.
+    pub fn plot_border(&mut self, line: Vec<Point<2>>) {
+        self.polyline(line, Closure::Open, Style::line(CURVE_INK, WIRE_WIDTH));
+    }
+
     /// Adds the lines of a surface as a view shows them.
     pub fn plot_surface(&mut self, grid: &Grid, view: &View, hidden: Hidden) {
         let lines = match hidden {
             Hidden::Drawn => all_lines(grid, view),
             Hidden::LeftOut => visible_lines(grid, view),
         };
-        for line in lines {
-            self.polyline(line, Closure::Open, Style::line(CURVE_INK, WIRE_WIDTH));
-        }
+        lines.into_iter().for_each(|line| self.plot_border(line));
     }
 }
 
