@@ -355,8 +355,8 @@ fn files_are_rendered() {
 fn wrong_command_lines_are_usage_errors() {
     let six = common::path("files/SIX.IP2").display().to_string();
     let cases: [(&[&str], &str); 6] = [
-        (&["-o", "a.gif"], ".png or .svg"),
-        (&["-o", "-"], ".png or .svg"),
+        (&["-o", "a.gif"], ".png .svg .pdf"),
+        (&["-o", "-"], ".png .svg .pdf"),
         (&[], "--output"),
         (&["-o", "a.png", "--width", "15"], "16..=16384"),
         (&["-o", "a.png", "--view", "1,2,3"], "space curves"),

@@ -130,7 +130,7 @@ enum Command {
     },
     /// Write points of a curve or a surface as CSV or JSON
     Sample(sample::Sample),
-    /// Draw a curve or a surface as PNG or SVG; write a surface as OBJ, STL, PLY or STEP
+    /// Draw a curve or a surface as PNG, SVG or PDF; write a surface as OBJ, STL, PLY or STEP
     Render(render::Render),
     /// Convert a data file into another format, by the extensions
     Convert(convert::Convert),

@@ -1,37 +1,24 @@
-//! `grafika render`: a picture of a curve or a surface as PNG or SVG, or a surface as a model.
+//! `grafika render`: a picture of a curve or a surface as PNG, SVG or PDF, or a surface as a model.
 
 use crate::curve::{CurveArgs, Curved};
 use crate::sample::{SURFACE_STEPS, extension};
 use crate::surface::Surfaced;
 use clap::Args;
 use grafika::figure::{
-    Figure, LARGEST_WIDTH, Mesh, NOMINAL_WIDTH, SMALLEST_WIDTH, Style, surface_step, visible_lines,
+    Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, Mesh, NOMINAL_WIDTH, SMALLEST_WIDTH, closure,
+    surface_step, tolerance,
 };
 use grafika::file::SPACE_VIEW;
 use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, View};
 use grafika::launch::{Failure, write_output};
 use std::path::PathBuf;
 
-/// Greatest distance of a picture's arcs from the curve, by the size of the curve: far below a
-/// thousandth of a pixel in a picture 800 pixels wide.
-const TOLERANCE: f64 = 1e-7;
-/// The same by the largest coordinate; doubles keep no less.
-const LEAST_TOLERANCE: f64 = 1e-11;
-
-/// Width of the lines of a wire frame in nominal pixels.
-const WIRE_WIDTH: f64 = 1.0;
-
-const CURVE: [u8; 3] = [0, 0, 170];
-const POLYGON: [u8; 3] = [130, 130, 130];
-const POINT: [u8; 3] = [255, 255, 255];
-const EDGE: [u8; 3] = [170, 0, 0];
-
 /// The command line of `grafika render`.
 #[derive(Args)]
 pub(crate) struct Render {
     #[command(flatten)]
     curve: CurveArgs,
-    /// Where to write: a picture .png or .svg, a surface as a mesh .obj .stl .ply or exactly .step
+    /// Where to write: a picture .png .svg .pdf, a surface as a mesh .obj .stl .ply or exactly .step
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Width of the picture in pixels
@@ -47,6 +34,12 @@ pub(crate) struct Render {
     /// Title above the picture, or name of the part in .step
     #[arg(long)]
     title: Option<String>,
+    /// Caption below the picture
+    #[arg(long)]
+    caption: Option<String>,
+    /// Show axes with ticks and numbers
+    #[arg(long)]
+    axes: bool,
     /// Steps a cell of a surface's net [default: 10]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     per_span: Option<u32>,
@@ -64,7 +57,7 @@ impl Render {
             return write_output(Some(&self.output), &self.surface(surfaced, format)?);
         }
         if format.is_model() {
-            let message = "models are of surfaces; a curve is drawn as .png or .svg";
+            let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
             return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
         }
         if self.per_span.is_some() {
@@ -90,11 +83,14 @@ impl Render {
             }
             Curved::Space(points, curve) => {
                 let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
-                let points: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
+                let bounds = [BoundingBox::of_points(&points), curve.bounding_box()];
+                let places: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
                 let arcs = curve.to_cubics(tolerance(curve.bounding_box())).map_err(Failure::work)?;
                 // The projection is linear: it takes arcs to arcs.
                 let arcs = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(|p| view.place(p)) });
-                self.figure(&points, arcs.collect())
+                let mut figure = self.figure(&places, arcs.collect());
+                self.measure(&mut figure, view, bounds);
+                figure
             }
             // Written above.
             Curved::Surface(_) => return Ok(()),
@@ -105,6 +101,7 @@ impl Render {
     fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {
         let content = match format {
             Format::Svg => figure.to_svg_of_width(self.width).map(String::into_bytes),
+            Format::Pdf => figure.to_pdf_of_width(self.width),
             _ => figure.to_png(self.width),
         };
         content.map_err(Failure::work)
@@ -116,8 +113,13 @@ impl Render {
         if !format.is_model() {
             return self.picture(&self.wireframe(surfaced, steps)?, format);
         }
-        let unused =
-            [("--view", self.view.is_some()), ("--points", self.points), ("--polygon", self.polygon)];
+        let unused = [
+            ("--view", self.view.is_some()),
+            ("--points", self.points),
+            ("--polygon", self.polygon),
+            ("--caption", self.caption.is_some()),
+            ("--axes", self.axes),
+        ];
         if let Some((option, _)) = unused.into_iter().find(|(_, given)| *given) {
             return Err(Failure::usage(format!("{option} is for pictures; models have no such thing")));
         }
@@ -142,63 +144,56 @@ impl Render {
         let view = View::from_direction(self.view.unwrap_or(surfaced.net.kind.view()));
         let grid = surfaced.surface.grid(steps).map_err(Failure::work)?;
         let mut figure = self.titled();
-        for line in visible_lines(&grid, &view) {
-            figure.polyline(line, Closure::Open, Style::line(CURVE, WIRE_WIDTH));
-        }
+        figure.plot_surface(&grid, &view, Hidden::LeftOut);
         if self.polygon {
             for (line, closed) in surfaced.polygons() {
                 let line = line.iter().map(|&point| view.place(point)).collect();
-                let closure = if closed { Closure::Closed } else { Closure::Open };
-                figure.polyline(line, closure, Style::line(POLYGON, 1.0).dashed(5.0, 4.0));
+                figure.plot_polygon(line, if closed { Closure::Closed } else { Closure::Open });
             }
         }
         if self.points {
             for ([k, l], point) in surfaced.discs() {
-                let label = format!("{k},{l}");
-                figure.disc(view.place(point), 4.0, Style::filled(POINT, EDGE), Some(label));
+                figure.plot_point(view.place(point), Some(format!("{k},{l}")));
             }
         }
+        self.measure(&mut figure, view, [BoundingBox::of_points(grid.points()), None]);
         Ok(figure)
     }
 
+    /// A figure with what stands around it.
     fn titled(&self) -> Figure {
         let mut figure = Figure::new();
         if let Some(title) = &self.title {
             figure.set_title(title);
         }
+        if let Some(caption) = &self.caption {
+            figure.set_caption(caption);
+        }
+        if self.axes {
+            figure.set_axes(Axes::Plane);
+        }
         figure
+    }
+
+    /// Gives a picture of space the axes of space, if there shall be axes.
+    fn measure(&self, figure: &mut Figure, view: View, bounds: [Option<BoundingBox<3>>; 2]) {
+        let bounds = bounds.into_iter().flatten().reduce(BoundingBox::union);
+        if let Some(bounds) = bounds.filter(|_| self.axes) {
+            figure.set_axes(Axes::Space { view, bounds });
+        }
     }
 
     fn figure(&self, points: &[Point<2>], arcs: Vec<CubicBezier<2>>) -> Figure {
-        let closure = closure(&arcs);
         let mut figure = self.titled();
         if self.polygon {
-            figure.polyline(points.to_vec(), closure, Style::line(POLYGON, 1.0).dashed(5.0, 4.0));
+            figure.plot_polygon(points.to_vec(), closure(&arcs));
         }
-        figure.curve(arcs, closure, Style::line(CURVE, 2.0));
+        figure.plot_curve(arcs, CURVE_INK);
         if self.points {
-            for (index, &point) in points.iter().enumerate() {
-                figure.disc(point, 4.0, Style::filled(POINT, EDGE), Some((index + 1).to_string()));
-            }
+            figure.plot_points(points);
         }
         figure
     }
-}
-
-/// How far the arcs of a picture may be from a curve that is no row of cubics.
-fn tolerance<const D: usize>(bounds: Option<BoundingBox<D>>) -> f64 {
-    let bounds = bounds.unwrap_or(BoundingBox::of_point([0.0; D]));
-    let extent = bounds.size().into_iter().fold(0.0_f64, f64::max);
-    let largest = bounds.min.iter().chain(&bounds.max).fold(0.0_f64, |m, x| m.max(x.abs()));
-    (TOLERANCE * extent).max(LEAST_TOLERANCE * largest).max(f64::MIN_POSITIVE)
-}
-
-/// A curve that returns to its beginning is closed; rounding does not count.
-fn closure(arcs: &[CubicBezier<2>]) -> Closure {
-    let (Some(first), Some(last)) = (arcs.first(), arcs.last()) else { return Closure::Open };
-    let largest = arcs.iter().flat_map(|arc| arc.p.iter().flatten()).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let apart = first.p[0].iter().zip(last.p[3]).any(|(a, b)| (a - b).abs() > 1e-12 * largest);
-    if apart { Closure::Open } else { Closure::Closed }
 }
 
 /// What is written, by the extension.
@@ -206,6 +201,7 @@ fn closure(arcs: &[CubicBezier<2>]) -> Closure {
 enum Format {
     Png,
     Svg,
+    Pdf,
     Obj,
     Stl,
     Ply,
@@ -217,19 +213,20 @@ impl Format {
         match extension(Some(path)).as_deref() {
             Some("png") => Ok(Format::Png),
             Some("svg") => Ok(Format::Svg),
+            Some("pdf") => Ok(Format::Pdf),
             Some("obj") => Ok(Format::Obj),
             Some("stl") => Ok(Format::Stl),
             Some("ply") => Ok(Format::Ply),
             Some("step" | "stp") => Ok(Format::Step),
             _ => Err(Failure::usage(format!(
-                "-o {}: pictures are written as .png or .svg, surfaces also as .obj .stl .ply .step",
+                "-o {}: pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step",
                 path.display()
             ))),
         }
     }
 
     fn is_model(self) -> bool {
-        !matches!(self, Format::Png | Format::Svg)
+        !matches!(self, Format::Png | Format::Svg | Format::Pdf)
     }
 }
 

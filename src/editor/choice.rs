@@ -34,12 +34,16 @@ impl Choice {
         self,
         points: &[Point<D>],
     ) -> Result<Vec<Point<D>>, GeometryError> {
-        let steps = match self.method {
+        self.curve(points)?.polyline(self.steps())
+    }
+
+    /// Steps that a span is drawn in.
+    pub(super) fn steps(self) -> usize {
+        match self.method {
             Method::Bezier => BEZIER_STEPS,
             Method::Beta { .. } => BETA_STEPS,
             _ => STEPS,
-        };
-        self.curve(points)?.polyline(steps)
+        }
     }
 }
 

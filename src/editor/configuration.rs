@@ -160,6 +160,7 @@ pub async fn common_key<C: Configuration>(
 /// Asks for a new or a stored configuration until there is one.
 async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(), Quit> {
     state.reset();
+    desk.machine.set_file_name(None);
     desk.machine.publish(state.model());
     if state.ask_first(desk).await? {
         return Ok(());
@@ -173,7 +174,10 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
         let name = desk.file_name(&*state, state.format().extension(), Way::Load).await?;
         let Some(name) = name else { continue };
         match state.read(desk.machine.storage(), &name) {
-            Ok(()) => return Ok(()),
+            Ok(()) => {
+                desk.machine.set_file_name(Some(name));
+                return Ok(());
+            }
             Err(problem) => desk.tell(problem, Stay::Briefly),
         }
     }
@@ -189,6 +193,7 @@ async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bo
     match store(state, desk.machine.storage(), &name) {
         Ok(()) => {
             state.history().mark_saved();
+            desk.machine.set_file_name(Some(name));
             Ok(true)
         }
         Err(problem) => {

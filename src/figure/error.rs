@@ -33,6 +33,13 @@ pub enum FigureError {
         /// Pixels at most.
         most: u32,
     },
+    /// A caption that is too long.
+    Caption {
+        /// Letters of it.
+        given: usize,
+        /// Letters at most.
+        most: usize,
+    },
     /// All points of a mesh are the same or on a line of the grid, so that no triangle is left.
     NoTriangles,
     /// A coordinate does not fit into the single precision of STL.
@@ -67,6 +74,9 @@ impl fmt::Display for FigureError {
             }
             Self::Width { given, least, most } => {
                 write!(f, "a picture {given} pixels wide; must be {least} to {most}")
+            }
+            Self::Caption { given, most } => {
+                write!(f, "a caption of {given} letters is too long; at most {most}")
             }
             Self::NoTriangles => f.write_str("the surface has no area; its points must not all be the same"),
             Self::Single { value } => {

@@ -2,7 +2,9 @@
 //!
 //! All sizes here are nominal pixels, y downwards.
 
-use super::picture::{Figure, Item, NOMINAL_WIDTH};
+use super::axes::{Axes, PlaneAxes, Rules, SpaceAxes};
+use super::picture::{Figure, Item, NOMINAL_WIDTH, Style};
+use super::wrap::wrap;
 use crate::geometry::{BoundingBox, CubicBezier, Point};
 
 /// The advance of every letter by the size of the font: 1233 of 2048 units.
@@ -13,12 +15,19 @@ const DESCENT: f64 = 0.22;
 
 const TEXT_SIZE: f64 = 15.0;
 const TITLE_SIZE: f64 = 22.0;
+/// Size of the numbers at axes.
+pub(super) const AXIS_SIZE: f64 = 13.0;
+/// Height of a line of the caption, and the free room below the last one.
+const CAPTION_LINE: f64 = 20.0;
+const CAPTION_END: f64 = 12.0;
 /// Height of the band above the picture that holds the title.
 const TITLE_BAND: f64 = 44.0;
 /// Free room around everything.
 const MARGIN: f64 = 32.0;
 /// The least height of a picture without its title.
 const LEAST_HEIGHT: f64 = 160.0;
+/// Room between the numbers of axes and the edge of the picture, or the caption.
+const BAND_GAP: f64 = 12.0;
 /// Room between a disc and its label.
 const GAP: f64 = 3.0;
 /// Labels times obstacles that are looked at; beyond it, all labels stand at the upper right of their
@@ -26,6 +35,9 @@ const GAP: f64 = 3.0;
 const MOST_LOOKS: usize = 4_000_000;
 /// Straight pieces that stand for an arc when labels look for a free place.
 const PIECES: u32 = 8;
+
+/// How the lines of axes are drawn.
+pub(super) const RULE: Style = Style { stroke: Some([0; 3]), width: 1.0, fill: None, dash: None };
 
 /// A rectangle: left, upper, right and lower edge.
 type Area = [f64; 4];
@@ -40,6 +52,13 @@ pub(super) struct Letters {
     pub(super) size: f64,
 }
 
+impl Letters {
+    fn area(&self) -> Area {
+        let [x, y] = self.at;
+        [x, y - ASCENT * self.size, x + length(&self.text, self.size), y + DESCENT * self.size]
+    }
+}
+
 /// The measures of a picture.
 #[derive(Debug)]
 pub(super) struct Layout {
@@ -49,27 +68,39 @@ pub(super) struct Layout {
     pub(super) scale: f64,
     /// Where the world's origin lies.
     pub(super) origin: Point<2>,
-    /// The title and all labels and texts.
+    /// The title, all labels and texts, the numbers of the axes and the caption.
     pub(super) letters: Vec<Letters>,
+    /// The lines of axes.
+    pub(super) rules: Vec<[Point<2>; 2]>,
 }
 
 impl Layout {
     /// Fits a checked figure into its picture.
     pub(super) fn new(figure: &Figure) -> Layout {
         let width = f64::from(NOMINAL_WIDTH);
-        let window = window(figure);
-        let margin = MARGIN + figure.items.iter().map(overhang).fold(0.0, f64::max);
-        let room = width - 2.0 * margin;
+        let overhang = figure.items.iter().map(overhang).fold(0.0, f64::max);
+        let margin = MARGIN + overhang;
+        let measured = Measured::new(figure, width - 2.0 * margin, overhang);
+        let [left, bottom] = measured.bands().map(|band| (band - margin + BAND_GAP).max(0.0));
+        let window = measured.window();
+        let room = width - left - 2.0 * margin;
         let [across, up] = window.size();
         // One of both extents is positive.
         let scale = room / across.max(up);
-        let band = if figure.title.is_some() { TITLE_BAND } else { 0.0 };
-        let height = (band + (up * scale + 2.0 * margin).max(LEAST_HEIGHT)).ceil();
+        let top = if figure.title.is_some() { TITLE_BAND } else { 0.0 };
+        let caption = caption_lines(figure);
+        let end = if caption.is_empty() { 0.0 } else { CAPTION_LINE * caption.len() as f64 + CAPTION_END };
+        let height = (top + (up * scale + 2.0 * margin + bottom).max(LEAST_HEIGHT) + end).ceil();
         let middle: Point<2> = std::array::from_fn(|d| window.min[d] + (window.max[d] - window.min[d]) / 2.0);
-        let origin = [width / 2.0 - scale * middle[0], (height + band) / 2.0 + scale * middle[1]];
-        let mut layout = Layout { height, scale, origin, letters: Vec::new() };
+        let center = [(width + left) / 2.0, (height + top - bottom - end) / 2.0];
+        let origin = [center[0] - scale * middle[0], center[1] + scale * middle[1]];
+        let mut layout = Layout { height, scale, origin, letters: Vec::new(), rules: Vec::new() };
+        let Rules { lines, letters } = measured.rules(|point| layout.place(point));
+        layout.rules = lines;
+        let labels = layout.labels(figure, &letters);
         let title = figure.title.iter().map(|title| heading(title));
-        layout.letters = title.chain(layout.labels(figure)).collect();
+        let caption = below(height - end, &caption);
+        layout.letters = title.chain(labels).chain(letters).chain(caption).collect();
         layout
     }
 
@@ -78,9 +109,11 @@ impl Layout {
         [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
     }
 
-    /// The labels of discs, then the texts.
-    fn labels(&self, figure: &Figure) -> Vec<Letters> {
+    /// The labels of discs, then the texts; they keep off the numbers of axes.
+    fn labels(&self, figure: &Figure, numbers: &[Letters]) -> Vec<Letters> {
         let mut taken = Taken { legs: self.legs(figure), areas: self.areas(figure), height: self.height };
+        taken.legs.extend(&self.rules);
+        taken.areas.extend(numbers.iter().map(Letters::area));
         let labels = figure.items.iter().filter(|item| matches!(item, Item::Disc { label: Some(_), .. }));
         let looks = labels.count().saturating_mul(taken.legs.len() + taken.areas.len());
         let choices = if looks > MOST_LOOKS { 1 } else { DIRECTIONS.len() };
@@ -141,6 +174,51 @@ impl Layout {
     }
 }
 
+/// What a picture shows of the world, with the axes that measure it.
+enum Measured {
+    Plain(BoundingBox<2>),
+    Plane(PlaneAxes),
+    Space(BoundingBox<2>, SpaceAxes),
+}
+
+impl Measured {
+    /// What a figure shows in so many pixels. Axes whose numbers could not be told apart are left out.
+    fn new(figure: &Figure, room: f64, overhang: f64) -> Measured {
+        let window = window(figure);
+        let axes = match figure.axes {
+            None => None,
+            Some(Axes::Plane) => PlaneAxes::new(window, room, overhang).map(Measured::Plane),
+            Some(Axes::Space { view, bounds }) => {
+                SpaceAxes::new(view, bounds).map(|axes| Measured::Space(window.union(axes.window()), axes))
+            }
+        };
+        axes.unwrap_or(Measured::Plain(window))
+    }
+
+    fn window(&self) -> BoundingBox<2> {
+        match self {
+            Measured::Plain(window) | Measured::Space(window, _) => *window,
+            Measured::Plane(axes) => axes.window(),
+        }
+    }
+
+    /// How much room the axes need left of the window and below it.
+    fn bands(&self) -> [f64; 2] {
+        match self {
+            Measured::Plain(_) | Measured::Space(..) => [0.0; 2],
+            Measured::Plane(axes) => axes.bands(),
+        }
+    }
+
+    fn rules(&self, place: impl Fn(Point<2>) -> Point<2>) -> Rules {
+        match self {
+            Measured::Plain(_) => Rules::default(),
+            Measured::Plane(axes) => axes.rules(place),
+            Measured::Space(_, axes) => axes.rules(place),
+        }
+    }
+}
+
 /// How far an item reaches beyond its points.
 fn overhang(item: &Item) -> f64 {
     match item {
@@ -177,8 +255,27 @@ fn heading(title: &str) -> Letters {
     Letters { text, at, size }
 }
 
+/// The caption in lines that fit; none for a blank one.
+fn caption_lines(figure: &Figure) -> Vec<String> {
+    let text = figure.caption.as_deref().unwrap_or("");
+    if text.trim().is_empty() {
+        return Vec::new();
+    }
+    let fitting = 0.95 * f64::from(NOMINAL_WIDTH) / (LETTER_WIDTH * TEXT_SIZE);
+    wrap(text, fitting as usize).iter().map(|line| printable(line)).collect()
+}
+
+/// Lines in the middle of the picture, from a height on.
+fn below(top: f64, lines: &[String]) -> impl Iterator<Item = Letters> {
+    (0..).zip(lines).map(move |(row, text)| {
+        let left = (f64::from(NOMINAL_WIDTH) - length(text, TEXT_SIZE)) / 2.0;
+        let at = [left, top + CAPTION_LINE * f64::from(row) + TEXT_SIZE];
+        Letters { text: text.clone(), at, size: TEXT_SIZE }
+    })
+}
+
 /// The length of a line of letters.
-fn length(text: &str, size: f64) -> f64 {
+pub(super) fn length(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * LETTER_WIDTH * size
 }
 

@@ -1,8 +1,8 @@
-//! Pictures, tables and models for other programs: the screen as a PNG, curves and surfaces with their
-//! control points as SVG or PNG, samples of them as CSV or JSON, surfaces as meshes (OBJ, STL, PLY) and
+//! Pictures, tables and models for other programs: the screen as PNG, SVG or PDF, curves and surfaces with
+//! their control points as SVG, PNG or PDF, samples of them as CSV or JSON, surfaces as meshes (OBJ, STL, PLY) and
 //! exactly (STEP).
 //!
-//! A [`Figure`] is a picture in world coordinates, built once and written in either format. Everything
+//! A [`Figure`] is a picture in world coordinates, built once and written in any of the formats. Everything
 //! here is values in, bytes or text out: no files, no screen modes, no choice of what to draw.
 //!
 //! A closed spline with its control points:
@@ -26,22 +26,31 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod axes;
 mod error;
 mod layout;
 mod mesh;
 mod number;
+mod pdf;
 mod picture;
+mod plot;
 mod raster;
 mod screen_png;
+mod screen_shapes;
 mod step;
 mod svg;
 mod table;
 mod wireframe;
+mod wrap;
 
+pub use axes::Axes;
 pub use error::FigureError;
 pub use mesh::Mesh;
-pub use picture::{Figure, LARGEST_WIDTH, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
-pub use screen_png::screen_png;
+pub use picture::{Figure, LARGEST_WIDTH, LONGEST_CAPTION, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
+pub use plot::{CURVE_INK, Hidden, closure, print_ink, tolerance};
+pub use screen_png::{LARGEST_SCALE, screen_png, screen_png_of_scale};
+pub use screen_shapes::{screen_pdf, screen_svg};
 pub use step::surface_step;
 pub use table::{curve_csv, curve_json, surface_csv, surface_json};
-pub use wireframe::visible_lines;
+pub use wireframe::{all_lines, visible_lines};
+pub use wrap::wrap;

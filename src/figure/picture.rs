@@ -1,6 +1,6 @@
 //! What a picture consists of: items in world coordinates with their styles.
 
-use super::FigureError;
+use super::{Axes, FigureError};
 use crate::geometry::{COORDINATE_LIMIT, Closure, CubicBezier, Point};
 
 /// Width of a picture in nominal pixels, the unit of line widths, radii and dashes. A picture that is
@@ -10,6 +10,9 @@ pub const NOMINAL_WIDTH: u32 = 800;
 pub const SMALLEST_WIDTH: u32 = 16;
 /// The largest width of a picture in pixels.
 pub const LARGEST_WIDTH: u32 = 16384;
+
+/// The longest caption in letters.
+pub const LONGEST_CAPTION: usize = 2000;
 
 /// The largest line width, radius and dash in nominal pixels.
 const LARGEST_SIZE: f64 = 100.0;
@@ -128,6 +131,8 @@ fn check_points(points: &[Point<2>], name: impl Fn(usize) -> String) -> Result<(
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     pub(super) title: Option<String>,
+    pub(super) caption: Option<String>,
+    pub(super) axes: Option<Axes>,
     pub(super) items: Vec<Item>,
 }
 
@@ -138,9 +143,37 @@ impl Figure {
         Figure::default()
     }
 
+    /// Whether nothing has been added.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
     /// Puts a title above the picture.
     pub fn set_title(&mut self, title: impl Into<String>) {
         self.title = Some(title.into());
+    }
+
+    /// Puts a caption below the picture, in as many lines as it needs; 2000 letters at most.
+    pub fn set_caption(&mut self, caption: impl Into<String>) {
+        self.caption = Some(caption.into());
+    }
+
+    /// Draws axes with ticks and numbers; where they would have more digits than can be told apart, they are
+    /// left out.
+    pub fn set_axes(&mut self, axes: Axes) {
+        self.axes = Some(axes);
+    }
+
+    /// The axes, if it has any.
+    #[must_use]
+    pub fn axes(&self) -> Option<Axes> {
+        self.axes
+    }
+
+    /// Takes the axes away.
+    pub fn clear_axes(&mut self) {
+        self.axes = None;
     }
 
     /// Adds a row of cubic arcs, each beginning where the one before ends; where it does not, the line
@@ -167,6 +200,10 @@ impl Figure {
 
     /// Whether everything can be drawn.
     pub(super) fn check(&self) -> Result<(), FigureError> {
+        let letters = self.caption.as_deref().map_or(0, |caption| caption.chars().count());
+        if letters > LONGEST_CAPTION {
+            return Err(FigureError::Caption { given: letters, most: LONGEST_CAPTION });
+        }
         let mut counts = std::collections::BTreeMap::new();
         for item in &self.items {
             let count = counts.entry(item.kind()).or_insert(0_usize);

@@ -4,7 +4,7 @@
 //! largest one needs some megabytes only.
 
 use super::FigureError;
-use super::layout::{LETTER_WIDTH, Layout, Letters};
+use super::layout::{LETTER_WIDTH, Layout, Letters, RULE};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
 use crate::geometry::{Closure, CubicBezier, Point};
 use fontdue::{Font, FontSettings};
@@ -14,7 +14,7 @@ use tiny_skia::{
 };
 
 /// DejaVu Sans Mono; see `fonts/README.md`.
-static FONT: &[u8] = include_bytes!("fonts/DejaVuSansMono.ttf");
+pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSansMono.ttf");
 
 /// Pixels of a band.
 const BAND: u32 = 1 << 22;
@@ -48,6 +48,7 @@ impl Figure {
         let rows = (BAND / width).max(1);
         for top in (0..height).step_by(rows as usize) {
             let mut band = Band::new(&layout, enlarged, [width, rows.min(height - top)], top)?;
+            band.draw_rules();
             self.items.iter().for_each(|item| band.draw(item));
             if let Some(font) = &font {
                 layout.letters.iter().for_each(|line| band.write(line, font));
@@ -99,10 +100,28 @@ impl<'a> Band<'a> {
         }
     }
 
+    /// The lines of axes.
+    fn draw_rules(&mut self) {
+        let mut path = PathBuilder::new();
+        for [from, to] in &self.layout.rules {
+            let ([x, y], [end_x, end_y]) = (self.in_band(*from), self.in_band(*to));
+            path.move_to(x, y);
+            path.line_to(end_x, end_y);
+        }
+        if let Some(path) = path.finish() {
+            self.paint(&path, &RULE);
+        }
+    }
+
     /// The place of a point of the world in the band. Computed in doubles, so that a small window far
     /// from the origin keeps its shape.
     fn pixel(&self, point: Point<2>) -> [f32; 2] {
-        let [x, y] = self.layout.place(point).map(|value| value * self.enlarged);
+        self.in_band(self.layout.place(point))
+    }
+
+    /// The place of a nominal pixel in the band.
+    fn in_band(&self, nominal: Point<2>) -> [f32; 2] {
+        let [x, y] = nominal.map(|value| value * self.enlarged);
         [x as f32, (y - f64::from(self.top)) as f32]
     }
 

@@ -12,11 +12,23 @@ const LEVEL: u8 = 3;
 /// # Errors
 /// [`FigureError::Encoding`] if the encoder refuses, which it does for no screen.
 pub fn screen_png(screen: &Screen) -> Result<Vec<u8>, FigureError> {
+    screen_png_of_scale(screen, 1)
+}
+
+/// The largest scale of a screen's picture.
+pub const LARGEST_SCALE: u32 = 16;
+
+/// The screen as a PNG whose pixels are squares of `scale` times `scale` pixels, 1 to [`LARGEST_SCALE`]; a scale
+/// out of this range becomes its nearest end.
+///
+/// # Errors
+/// [`FigureError::Encoding`] if the encoder refuses, which it does for no screen.
+pub fn screen_png_of_scale(screen: &Screen, scale: u32) -> Result<Vec<u8>, FigureError> {
+    let scale = scale.clamp(1, LARGEST_SCALE);
+    let (width, height) = (WIDTH.unsigned_abs(), HEIGHT.unsigned_abs());
     let palette: Vec<u8> = Color::ALL.iter().flat_map(|color| color.rgb()).collect();
-    let (pairs, _) = screen.pixels().as_chunks::<2>();
-    let packed: Vec<u8> = pairs.iter().map(|[left, right]| left << 4 | right).collect();
     let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, WIDTH.unsigned_abs(), HEIGHT.unsigned_abs());
+    let mut encoder = png::Encoder::new(&mut file, width * scale, height * scale);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
     encoder.set_palette(palette);
@@ -24,9 +36,21 @@ pub fn screen_png(screen: &Screen) -> Result<Vec<u8>, FigureError> {
     encoder.set_filter(png::Filter::NoFilter);
     encoder.set_deflate_compression(png::DeflateCompression::Level(LEVEL));
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&packed)?;
+    writer.write_image_data(&packed(screen, scale as usize))?;
     writer.finish()?;
     Ok(file)
+}
+
+/// The enlarged pixels, two in a byte; a row has an even number of them.
+fn packed(screen: &Screen, scale: usize) -> Vec<u8> {
+    let mut packed = Vec::with_capacity(screen.pixels().len() * scale * scale / 2);
+    for row in screen.pixels().chunks_exact(WIDTH.unsigned_abs() as usize) {
+        let wide: Vec<u8> = row.iter().flat_map(|&pixel| std::iter::repeat_n(pixel, scale)).collect();
+        let (pairs, _) = wide.as_chunks::<2>();
+        let bytes: Vec<u8> = pairs.iter().map(|[left, right]| left << 4 | right).collect();
+        (0..scale).for_each(|_| packed.extend_from_slice(&bytes));
+    }
+    packed
 }
 
 #[cfg(test)]
@@ -51,5 +75,20 @@ mod tests {
         assert_eq!((info.width, info.height, info.bit_depth), (640, 480, png::BitDepth::Four));
         let pixels: Vec<u8> = rows.iter().flat_map(|pair| [pair >> 4, pair & 15]).collect();
         assert_eq!(pixels, screen.pixels());
+    }
+
+    #[test]
+    fn larger_pixels_are_squares_of_the_same_colour() {
+        let mut screen = Screen::new();
+        screen.text(3, 5, "Ő", Color::Yellow);
+        screen.bar(639, 479, 639, 479, Color::Red);
+        let wide = packed(&screen, 3);
+        for (index, byte) in wide.iter().enumerate() {
+            for (half, pixel) in [byte >> 4, byte & 15].into_iter().enumerate() {
+                let (x, y) = ((2 * index + half) % 1920, (2 * index + half) / 1920);
+                assert_eq!(pixel, screen.pixels()[y / 3 * 640 + x / 3]);
+            }
+        }
+        assert_eq!(screen_png_of_scale(&screen, 0), screen_png(&screen));
     }
 }

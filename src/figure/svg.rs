@@ -2,7 +2,7 @@
 //! maps the world to the picture; discs and letters stand outside of it, in nominal pixels.
 
 use super::FigureError;
-use super::layout::{Layout, Letters};
+use super::layout::{Layout, Letters, RULE};
 use super::number::Number;
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
 use crate::geometry::{Closure, CubicBezier, Point};
@@ -51,6 +51,7 @@ impl Figure {
             writeln!(out, "<title>{}</title>", Escaped(&super::layout::printable(title)))?;
         }
         writeln!(out, "<rect width=\"{NOMINAL_WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>")?;
+        write_rules(out, &layout.rules)?;
         let world = format!("<g transform=\"matrix({scale} 0 0 -{scale} {} {})\">", Number(x), Number(y));
         let mut in_world = false;
         for item in &self.items {
@@ -67,6 +68,21 @@ impl Figure {
         write_letters(out, &layout.letters)?;
         writeln!(out, "</svg>")
     }
+}
+
+/// The lines of axes, in one path.
+fn write_rules(out: &mut String, rules: &[[Point<2>; 2]]) -> fmt::Result {
+    if rules.is_empty() {
+        return Ok(());
+    }
+    let mut data = String::new();
+    for &[from, to] in rules {
+        command(&mut data, "M", &[from]);
+        command(&mut data, "L", &[to]);
+    }
+    write!(out, "<path class=\"axes\" d=\"{data}\"")?;
+    write_style(out, &RULE, 1.0)?;
+    writeln!(out, "/>")
 }
 
 fn write_item(out: &mut String, item: &Item, layout: &Layout) -> fmt::Result {

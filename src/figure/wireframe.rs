@@ -52,6 +52,14 @@ pub fn visible_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
     lines
 }
 
+/// All lines of a grid, as rows of points in the plane of the view: those of constant `u`, then those of
+/// constant `v`; a closing line is not drawn twice.
+#[must_use]
+pub fn all_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
+    let place = |index: &usize| grid.points().get(*index).map(|&point| view.place(point));
+    grid_lines(grid).iter().map(|line| line.iter().filter_map(place).collect()).collect()
+}
+
 /// The indices of the points of every line of the grid.
 fn grid_lines(grid: &Grid) -> Vec<Vec<usize>> {
     let [rows, columns] = [grid.rows(), grid.columns()];
@@ -231,10 +239,7 @@ mod tests {
         let view = View::from_direction([0.3, -0.7, 0.2]);
         let lines = visible_lines(&ball(), &view);
         let seen: f64 = lines.iter().map(|line| length(line)).sum();
-        let all: f64 = grid_lines(&ball())
-            .iter()
-            .map(|line| length(&line.iter().map(|&n| view.place(ball().points()[n])).collect::<Vec<_>>()))
-            .sum();
+        let all: f64 = all_lines(&ball(), &view).iter().map(|line| length(line)).sum();
         // The cells across the outline are seen whole.
         assert!((0.5..0.52).contains(&(seen / all)), "{}", seen / all);
     }

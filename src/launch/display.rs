@@ -22,7 +22,9 @@ pub(super) fn show(mut session: Session, name: &str, options: &RunOptions) -> Re
         (None, wish) => live(&mut session, name, wish, options),
     };
     let recorded = session.finish_recording();
+    let saved = session.finish();
     shown?;
+    saved.map_err(Failure::work)?;
     recorded.map_err(|error| Failure::work(format!("{}: {error}", path_of(options.record.as_deref()))))
 }
 

@@ -20,6 +20,7 @@ use crate::ui::{Manual, Phrase};
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
 use std::future::Future;
+use std::path::Path;
 use std::pin::Pin;
 use std::process::ExitCode;
 
@@ -75,10 +76,13 @@ impl Program {
                 Failure::work(format!("{}: {}", opened.name, problem.of(Language::English)))
             })?;
         }
+        let name = options.file.as_deref().and_then(Path::file_name);
+        let name = name.map(|name| name.to_string_lossy().into_owned());
         let folder = opened.as_ref().map(|opened| opened.folder.clone()).unwrap_or_default();
         let document = opened.map(|opened| opened.document);
         let run = self.run;
-        let machine = options.run.machine(folder);
+        let mut machine = options.run.machine(folder);
+        machine.set_file_name(name);
         let session =
             Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
         display::show(session, self.manual.name, &options.run)

@@ -23,6 +23,7 @@
 //! ```
 
 mod event;
+mod film;
 #[cfg(feature = "native")]
 mod folder;
 mod port;
@@ -44,9 +45,10 @@ pub use record::Recorder;
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
-pub use storage::{Memory, Storage, StorageError, StorageProblem};
+pub use storage::{Memory, Storage, StorageError, StorageProblem, free_name};
 
 use crate::screen::{Masks, Screen};
+use film::Film;
 use port::{Port, Turn};
 use serde::Serialize;
 use std::cell::RefCell;
@@ -134,6 +136,8 @@ pub struct Machine {
     screen: Box<Screen>,
     storage: Box<dyn Storage>,
     seed: u64,
+    file: Option<String>,
+    film: Option<Film>,
 }
 
 impl Machine {
@@ -146,6 +150,8 @@ impl Machine {
             now: Duration::ZERO,
             wait: Wait::Event,
             model: None,
+            filming: false,
+            lost: None,
             language: settings.language,
             answer: None,
         };
@@ -154,6 +160,8 @@ impl Machine {
             screen: Box::new(Screen::new()),
             storage,
             seed: settings.seed,
+            file: None,
+            film: None,
         }
     }
 
@@ -174,6 +182,16 @@ impl Machine {
     /// Where random numbers start from (`--seed`).
     pub fn seed(&self) -> u64 {
         self.seed
+    }
+
+    /// The name of the file that the program works on, if it has one.
+    pub fn file_name(&self) -> Option<&str> {
+        self.file.as_deref()
+    }
+
+    /// Says which file the program works on.
+    pub fn set_file_name(&mut self, name: Option<String>) {
+        self.file = name;
     }
 
     /// Where the mouse is and what it holds.
@@ -237,7 +255,69 @@ impl Machine {
         self.turn(Wait::Until(moment)).await
     }
 
+    /// Begins a film, a GIF of what [`Machine::film_screen`] shows it from now on; one that is being made
+    /// goes on. A film is saved when it is stopped, and when the machine goes.
+    ///
+    /// # Errors
+    /// [`StorageError`] if the encoder refuses, which it does for no screen.
+    pub fn start_film(&mut self, program: &'static str) -> Result<(), StorageError> {
+        if self.film.is_none() {
+            let film = Film::new(program, self.now()).map_err(|error| no_film(program, &error))?;
+            self.film = Some(film);
+            self.port.borrow_mut().filming = true;
+        }
+        Ok(())
+    }
+
+    /// When a film that is being made will be as long as it may be: ten minutes.
+    pub fn film_end(&self) -> Option<Duration> {
+        self.film.as_ref().map(Film::end)
+    }
+
+    /// Whether a film is being made and has no room for more: it is ten minutes long, or 64 megabytes large.
+    pub fn film_is_full(&self) -> bool {
+        self.film.as_ref().is_some_and(|film| film.is_full(self.now()))
+    }
+
+    /// Shows the screen, as it is drawn now, to the film.
+    ///
+    /// # Errors
+    /// [`StorageError`] if the encoder refuses, which it does for no screen.
+    pub fn film_screen(&mut self) -> Result<(), StorageError> {
+        let now = self.now();
+        let Some(film) = &mut self.film else { return Ok(()) };
+        film.show(&self.screen, now).map_err(|error| no_film(film.program, &error))
+    }
+
+    /// Stops and saves the film under the first free name, which it returns; `None` without a film.
+    ///
+    /// # Errors
+    /// [`StorageError`] with the name and what is wrong.
+    pub fn stop_film(&mut self) -> Result<Option<String>, StorageError> {
+        let Some(film) = self.film.take() else { return Ok(None) };
+        self.port.borrow_mut().filming = false;
+        let program = film.program;
+        let content = film.finish(self.now()).map_err(|error| no_film(program, &error))?;
+        let name = free_name(&*self.storage, program, "gif");
+        self.storage.write(&name, &content)?;
+        Ok(Some(name))
+    }
+
     fn turn(&mut self, wait: Wait) -> Turn<'_> {
         Turn { port: &self.port, screen: &mut self.screen, wait, handed_over: false }
     }
+}
+
+impl Drop for Machine {
+    /// Saves a film that is being made; the session tells what went wrong.
+    fn drop(&mut self) {
+        if let Err(error) = self.stop_film() {
+            self.port.borrow_mut().lost = Some(error);
+        }
+    }
+}
+
+/// Why there is no film of a program.
+fn no_film(program: &str, error: &dyn fmt::Display) -> StorageError {
+    StorageError { name: format!("{program}.gif"), problem: StorageProblem::System(error.to_string()) }
 }

@@ -6,8 +6,8 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Language, Machine, Pointer, Quit};
-use crate::screen::{Masks, Screen};
+use super::{Language, Machine, Pointer, Quit, StorageError};
+use crate::screen::{Color, Masks, Screen, WIDTH};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
 use std::pin::Pin;
@@ -23,6 +23,9 @@ pub const FRAMES_PER_SECOND: u32 = 60;
 
 /// Frames that are made up for when a display was held up; what is older is left out.
 const FRAMES_CAUGHT_UP: u32 = 2 * FRAMES_PER_SECOND;
+
+/// Radius of the mark of a film in pixels.
+const MARK: i32 = 6;
 
 /// A program that has been started and waits for its display.
 pub struct Session {
@@ -73,9 +76,21 @@ impl Session {
         self.port.borrow().mouse
     }
 
-    /// A copy of the screen with the program's mouse pointer on it, as a display shows it.
+    /// A copy of the screen, with a red dot in its upper right corner while a film is being made; neither
+    /// the film nor any other picture has it.
+    pub fn marked_screen(&self) -> Screen {
+        let mut screen = self.screen().clone();
+        if self.port.borrow().filming {
+            let (right, top) = (WIDTH - 1 - MARK, MARK);
+            screen.disc(right, top, MARK, Color::White, Color::White);
+            screen.disc(right, top, MARK - 2, Color::LightRed, Color::LightRed);
+        }
+        screen
+    }
+
+    /// What a display shows: [`Session::marked_screen`] with the program's mouse pointer.
     pub fn picture(&self) -> Screen {
-        let mut picture = self.screen().clone();
+        let mut picture = self.marked_screen();
         if let Some((masks, x, y)) = self.pointer() {
             picture.pointer(x, y, masks);
         }
@@ -135,6 +150,15 @@ impl Session {
             recorder.event(event, now);
         }
         self.deliver(Some(event), now);
+    }
+
+    /// Ends the program, if it has not ended yet, without asking it; a film that is being made is saved.
+    ///
+    /// # Errors
+    /// [`StorageError`] when it could not be saved.
+    pub fn finish(&mut self) -> Result<(), StorageError> {
+        self.program = None;
+        self.port.borrow_mut().lost.take().map_or(Ok(()), Err)
     }
 
     /// Ends the recording and says whether all of it could be written.

@@ -75,6 +75,13 @@ pub(super) fn check_name(name: &str) -> Result<(), StorageError> {
     Err(StorageError { name: name.to_string(), problem: StorageProblem::BadName(why) })
 }
 
+/// The first name `PROGRAM-1.EXTENSION`, `PROGRAM-2.EXTENSION`, ... that no file has.
+pub fn free_name(storage: &dyn Storage, program: &str, extension: &str) -> String {
+    let name = |number: u32| format!("{program}-{number}.{extension}");
+    let number = (1..u32::MAX).find(|&number| storage.find(&name(number)).is_none());
+    name(number.unwrap_or(u32::MAX))
+}
+
 /// Content of the built-in sample of this name, or the error that there is no such file.
 pub(super) fn sample_or_not_found(name: &str) -> Result<Vec<u8>, StorageError> {
     sample(name)

@@ -1,10 +1,10 @@
 //! Questions and entries on the communication page. Esc cancels every one of them, and the close
 //! button works in them; the program's picture is drawn under them again whenever something changes.
 
-use super::desk::{Desk, Picture};
+use super::desk::{Desk, Over, Picture};
 use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
-use super::words::{self, Hot, Phrase};
+use super::words::{self, Hot, Phrase, Words};
 use crate::machine::{Key, Language, Quit};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
@@ -64,13 +64,19 @@ pub struct Choices {
 impl Choices {
     /// Draws the page.
     pub fn draw(&self, screen: &mut Screen, language: Language) {
+        self.draw_with(None, screen, language);
+    }
+
+    /// Draws the page; the answer of Enter stands out.
+    fn draw_with(&self, default: Option<usize>, screen: &mut Screen, language: Language) {
         page(screen, self.place);
         for caption in &self.captions {
             screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
         }
-        for &(area, answer) in &self.answers {
+        for (index, &(area, answer)) in self.answers.iter().enumerate() {
+            let ink = if default == Some(index) { Color::Yellow } else { Color::White };
             window(screen, area);
-            hot_text(screen, area.x1 + 5, area.y1 + 3, answer, Color::White, language);
+            hot_text(screen, area.x1 + 5, area.y1 + 3, answer, ink, language);
         }
     }
 }
@@ -179,15 +185,28 @@ impl Desk<'_> {
     /// # Errors
     /// [`Quit`] when the display is being closed.
     pub async fn choose(&mut self, picture: &dyn Picture, choices: &Choices) -> Result<Option<usize>, Quit> {
+        self.choose_or(picture, choices, None).await
+    }
+
+    /// As [`Desk::choose`]; Enter gives the answer of a number, if there is a default.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn choose_or(
+        &mut self,
+        picture: &dyn Picture,
+        choices: &Choices,
+        default: Option<usize>,
+    ) -> Result<Option<usize>, Quit> {
         loop {
-            let tick = self
-                .event(&|screen: &mut Screen, language: Language| {
-                    picture.draw(screen, language);
-                    choices.draw(screen, language);
-                })
-                .await?;
-            if tick.pressed(Key::Esc) {
-                return Ok(None);
+            let page = Over::new(picture, |screen: &mut Screen, language: Language| {
+                choices.draw_with(default, screen, language);
+            });
+            let tick = self.event(&page).await?;
+            match tick.key() {
+                Some(Key::Esc) => return Ok(None),
+                Some(Key::Enter) if default.is_some() => return Ok(default),
+                _ => {}
             }
             let chosen = choices.answers.iter().position(|&(area, answer)| {
                 tick.letter() == Some(answer.letter) || tick.click().is_some_and(|(x, y)| area.holds(x, y))
@@ -216,17 +235,15 @@ impl Desk<'_> {
         let mut entries: Vec<Entry> = form.fields.iter().map(new_entry).collect();
         let mut numbers = Vec::new();
         while let Some(field) = form.fields.get(numbers.len()) {
-            let tick = self
-                .event(&|screen: &mut Screen, language: Language| {
-                    picture.draw(screen, language);
-                    page(screen, TOP);
-                    for caption in &form.captions {
-                        screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
-                    }
-                    (form.ornament)(screen);
-                    entries.iter().for_each(|entry| entry.draw(screen));
-                })
-                .await?;
+            let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
+                page(screen, TOP);
+                for caption in &form.captions {
+                    screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
+                }
+                (form.ornament)(screen);
+                entries.iter().for_each(|entry| entry.draw(screen));
+            });
+            let tick = self.event(&typing).await?;
             let (Some(key), Some(entry)) = (tick.key(), entries.get_mut(numbers.len())) else { continue };
             match entry.key(key) {
                 Typed::On => {}
@@ -258,18 +275,40 @@ impl Desk<'_> {
             Way::Save => (350, 350, 221),
             Way::Load => (360, 364, 222),
         };
-        let mut entry = Entry::new(Area::new(270, 219, right, 232), (278, y + 1), 8, Accepts::Name);
+        let entry = Entry::new(Area::new(270, 219, right, 232), (278, y + 1), 8, Accepts::Name);
+        self.type_name(picture, extension, entry, dot_x).await
+    }
+
+    /// As [`Desk::file_name`], for a file to be saved, with a proposal and room for it.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub(super) async fn file_name_or(
+        &mut self,
+        picture: &dyn Picture,
+        extension: &str,
+        proposal: &str,
+    ) -> Result<Option<String>, Quit> {
+        let entry = Entry::new(Area::new(214, 219, 390, 232), (222, 222), LONGEST_NAME, Accepts::Name);
+        self.type_name(picture, extension, entry.proposing(proposal), 394).await
+    }
+
+    async fn type_name(
+        &mut self,
+        picture: &dyn Picture,
+        extension: &str,
+        mut entry: Entry,
+        dot_x: i32,
+    ) -> Result<Option<String>, Quit> {
         let dotted = format!(".{extension}");
         loop {
-            let tick = self
-                .event(&|screen: &mut Screen, language: Language| {
-                    picture.draw(screen, language);
-                    page(screen, MIDDLE);
-                    screen.text(262, 208, words::FILE_NAME.of(language), Color::Black);
-                    entry.draw(screen);
-                    screen.text(dot_x, 222, &dotted, Color::Black);
-                })
-                .await?;
+            let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
+                page(screen, MIDDLE);
+                screen.text(262, 208, words::FILE_NAME.of(language), Color::Black);
+                entry.draw(screen);
+                screen.text(dot_x, 222, &dotted, Color::Black);
+            });
+            let tick = self.event(&typing).await?;
             match tick.key().map_or(Typed::On, |key| entry.key(key)) {
                 Typed::On => {}
                 Typed::Cancelled => return Ok(None),
@@ -284,7 +323,35 @@ impl Desk<'_> {
             }
         }
     }
+
+    /// Lets one line be typed on the page at the top, below its caption; `None` is Esc.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub(super) async fn type_line(
+        &mut self,
+        picture: &dyn Picture,
+        caption: Words,
+        mut entry: Entry,
+    ) -> Result<Option<String>, Quit> {
+        loop {
+            let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
+                page(screen, TOP);
+                screen.text(TOP.0 + 8, TOP.1 + 5, caption.of(language), Color::Black);
+                entry.draw(screen);
+            });
+            let tick = self.event(&typing).await?;
+            match tick.key().map_or(Typed::On, |key| entry.key(key)) {
+                Typed::On => {}
+                Typed::Cancelled => return Ok(None),
+                Typed::Done => return Ok(Some(entry.text)),
+            }
+        }
+    }
 }
+
+/// Characters of a file name that is proposed, or typed instead.
+const LONGEST_NAME: usize = 20;
 
 /// Whether a file name is asked for to save or to load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,20 +3,51 @@
 use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
-use crate::figure::screen_png;
-use crate::machine::{Event, Key, Language, Machine, Quit, Storage, Tick};
+use crate::figure::Figure;
+use crate::machine::{Event, Key, Language, Machine, Quit, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use std::pin::Pin;
 use std::time::Duration;
 
 /// A program's whole picture. Questions draw it under themselves.
 pub trait Picture {
     /// Draws the picture in a language.
     fn draw(&self, screen: &mut Screen, language: Language);
+
+    /// The geometry that it shows, without title and axes: what F10 saves. `None` if it has none; the screen
+    /// is saved then.
+    fn figure(&self) -> Option<Figure> {
+        None
+    }
 }
 
 impl<F: Fn(&mut Screen, Language)> Picture for F {
     fn draw(&self, screen: &mut Screen, language: Language) {
         self(screen, language);
+    }
+}
+
+/// A picture with something drawn over it, as a question; its figure is that of the picture.
+pub struct Over<'p, F> {
+    under: &'p dyn Picture,
+    over: F,
+}
+
+impl<'p, F: Fn(&mut Screen, Language)> Over<'p, F> {
+    /// A picture with what is drawn over it.
+    pub fn new(under: &'p dyn Picture, over: F) -> Over<'p, F> {
+        Over { under, over }
+    }
+}
+
+impl<F: Fn(&mut Screen, Language)> Picture for Over<'_, F> {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        self.under.draw(screen, language);
+        (self.over)(screen, language);
+    }
+
+    fn figure(&self) -> Option<Figure> {
+        self.under.figure()
     }
 }
 
@@ -40,10 +71,12 @@ pub struct Manual {
 pub struct Desk<'m> {
     /// The machine.
     pub machine: &'m mut Machine,
-    manual: Manual,
+    pub(super) manual: Manual,
     notice: Option<Notice>,
-    /// How long the help page has been open, all times together.
+    /// How long the help page and the questions about a figure have been open, all times together.
     away: Duration,
+    /// Whether there are questions about a figure.
+    saving: bool,
 }
 
 /// When a desk wakes a program without any event.
@@ -57,11 +90,11 @@ enum Wake {
 impl<'m> Desk<'m> {
     /// A desk for a program.
     pub fn new(machine: &'m mut Machine, manual: Manual) -> Desk<'m> {
-        Desk { machine, manual, notice: None, away: Duration::ZERO }
+        Desk { machine, manual, notice: None, away: Duration::ZERO, saving: false }
     }
 
     /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
-    /// (language) and F12 (picture of the screen) are dealt with here.
+    /// (language), F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) are dealt with here.
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
@@ -85,8 +118,8 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::Frame).await
     }
 
-    /// Time since the program started, without that on the help page: an animation by this clock stands
-    /// still while its help is read.
+    /// Time since the program started, without that on the help page and for a figure: an animation by this
+    /// clock stands still while its help is read.
     pub fn clock(&self) -> Duration {
         self.machine.now().saturating_sub(self.away)
     }
@@ -94,12 +127,18 @@ impl<'m> Desk<'m> {
     async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Result<Tick, Quit> {
         loop {
             self.draw(picture);
+            if self.machine.film_is_full() {
+                self.end_film(Stay::UntilRead);
+                continue;
+            }
+            // What the desk itself has to be awake for.
             let expiry = self.notice.as_ref().and_then(|notice| notice.until);
-            let tick = match (wake, expiry) {
+            let own = expiry.into_iter().chain(self.machine.film_end()).min();
+            let tick = match (wake, own) {
                 (Wake::Frame, _) => self.machine.frame().await?,
                 (Wake::At(moment), None) => self.machine.event_before(moment).await?,
-                (Wake::At(moment), Some(expiry)) => self.machine.event_before(moment.min(expiry)).await?,
-                (Wake::Never, Some(expiry)) => self.machine.event_before(expiry).await?,
+                (Wake::At(moment), Some(own)) => self.machine.event_before(moment.min(own)).await?,
+                (Wake::Never, Some(own)) => self.machine.event_before(own).await?,
                 (Wake::Never, None) => self.machine.event().await?,
             };
             let due = match wake {
@@ -111,7 +150,9 @@ impl<'m> Desk<'m> {
             match tick.key() {
                 Some(Key::F(1)) => self.help().await?,
                 Some(Key::F(2)) => self.machine.set_language(self.machine.language().other()),
+                Some(Key::F(10)) if !self.saving => self.save_figure(picture).await?,
                 Some(Key::F(12)) => self.keep_picture(),
+                Some(Key::CtrlF(12)) => self.switch_film(),
                 None if tick.event.is_none() && !due => {}
                 _ => return Ok(tick),
             }
@@ -121,11 +162,20 @@ impl<'m> Desk<'m> {
     /// Lays a message over the screen: for its time, or until the next key or click, which still does
     /// what it does without the message.
     pub fn tell(&mut self, text: impl Into<Phrase>, stay: Stay) {
+        self.notice = Some(self.notice_of(text.into(), stay));
+    }
+
+    /// As [`Desk::tell`], with a message that a film does not show.
+    pub(super) fn tell_off_film(&mut self, text: Phrase, stay: Stay) {
+        self.notice = Some(Notice { filmed: false, ..self.notice_of(text, stay) });
+    }
+
+    fn notice_of(&self, text: Phrase, stay: Stay) -> Notice {
         let until = match stay {
             Stay::Briefly => Some(self.machine.now() + MESSAGE_TIME),
             Stay::UntilRead => None,
         };
-        self.notice = Some(Notice { text: text.into(), until });
+        Notice { text, until, filmed: true }
     }
 
     fn forget_notice(&mut self, tick: &Tick) {
@@ -139,27 +189,19 @@ impl<'m> Desk<'m> {
     fn draw(&mut self, picture: &dyn Picture) {
         let language = self.machine.language();
         picture.draw(self.machine.screen(), language);
-        if let Some(notice) = &self.notice {
+        let (filmed, other) = match self.notice.take() {
+            Some(notice) if notice.filmed => (Some(notice), None),
+            notice => (None, notice),
+        };
+        if let Some(notice) = &filmed {
             notice.draw(self.machine.screen(), language);
         }
-    }
-
-    /// Saves the screen as a PNG under the first free name and says so.
-    fn keep_picture(&mut self) {
-        match self.save_picture() {
-            Ok(name) => {
-                self.tell(Phrase::new(format!("Kép: {name}"), format!("Picture: {name}")), Stay::Briefly)
-            }
-            Err(problem) => self.tell(problem, Stay::UntilRead),
+        self.film_screen();
+        if let Some(notice) = &other {
+            notice.draw(self.machine.screen(), language);
         }
-    }
-
-    fn save_picture(&mut self) -> Result<String, Phrase> {
-        let picture = screen_png(self.machine.screen()).map_err(|error| words::plain(&error))?;
-        let storage = self.machine.storage();
-        let name = free_name(storage, self.manual.name);
-        storage.write(&name, &picture).map_err(|error| words::storage_problem(&error))?;
-        Ok(name)
+        // A film that failed has left its own message.
+        self.notice = self.notice.take().or(filmed).or(other);
     }
 
     /// Shows the help page and keeps the time that it takes.
@@ -170,14 +212,32 @@ impl<'m> Desk<'m> {
         ended
     }
 
+    /// Asks about a figure, saves it, and keeps the time that it takes. The questions wait for events by the
+    /// same desk; what is nested has to stand on the heap.
+    async fn save_figure(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
+        let begun = self.machine.now();
+        self.saving = true;
+        let asked: Pin<Box<dyn Future<Output = Result<(), Quit>> + '_>> =
+            Box::pin(self.ask_and_save_figure(picture));
+        let ended = asked.await;
+        self.saving = false;
+        self.away += self.machine.now().saturating_sub(begun);
+        ended
+    }
+
     /// Shows the program's keys until a key or click.
     async fn read_help(&mut self) -> Result<(), Quit> {
         loop {
             let language = self.machine.language();
             help_page(self.machine.screen(), &self.manual, language);
+            self.film_screen();
             let tick = self.machine.event().await?;
             match tick.key() {
                 Some(Key::F(2)) => self.machine.set_language(language.other()),
+                Some(Key::CtrlF(12)) => {
+                    self.switch_film();
+                    return Ok(());
+                }
                 Some(_) => return Ok(()),
                 None if tick.click().is_some() => return Ok(()),
                 None => {}
@@ -186,21 +246,19 @@ impl<'m> Desk<'m> {
     }
 }
 
-/// The first name `NAME-1.png`, `NAME-2.png`, … that is not taken.
-fn free_name(storage: &dyn Storage, program: &str) -> String {
-    let name = |number: u32| format!("{program}-{number}.png");
-    let number = (1..u32::MAX).find(|&number| storage.find(&name(number)).is_none());
-    name(number.unwrap_or(u32::MAX))
-}
-
 /// Keys of every program, listed under its own but for those that it lists itself.
 const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),
+    (Words("F10", "F10"), words::HELP_FIGURE),
     (Words("F11", "F11"), words::HELP_LARGEST),
     (Words("F12", "F12"), words::HELP_PICTURE),
+    (Words("Ctrl+F12", "Ctrl+F12"), words::HELP_FILM),
     (Words("Esc", "Esc"), words::HELP_ESC),
 ];
+
+/// Upper edge of the first key on the help page.
+const KEYS_TOP: i32 = 80;
 
 fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     screen.clear(Color::LightCyan);
@@ -209,15 +267,20 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     super::frame::sunken(screen, inner, 4);
     screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
     screen.text(40, 52, manual.about.of(language), Color::White);
-    let mut y = 80;
+    let mut y = KEYS_TOP;
     // A key that has a meaning of its own in a program has no other.
     let own =
         |key: &str| manual.keys.iter().any(|(keys, _)| keys.of(language).split(' ').any(|own| own == key));
     let common = COMMON_KEYS.iter().filter(|(key, _)| !own(key.of(language)));
-    for (keys, what) in manual.keys.iter().chain(common) {
+    let lines: Vec<&KeyHelp> = manual.keys.iter().chain(common).collect();
+    let count = i32::try_from(lines.len()).unwrap_or(i32::MAX).max(1);
+    // Where there is much to say, the lines move together.
+    let room = HEIGHT - 48 - KEYS_TOP - lesson::height(manual.lesson);
+    let line = (room / count).clamp(9, 16);
+    for (keys, what) in lines {
         screen.text(40, y, keys.of(language), Color::LightRed);
         screen.text(176, y, what.of(language), Color::White);
-        y += 16;
+        y += line;
     }
     lesson::draw(screen, y + 8, manual.lesson, language);
     screen.text(40, HEIGHT - 40, words::HELP_LEAVE.of(language), Color::LightGray);

@@ -11,6 +11,8 @@ pub enum Accepts {
     Number,
     /// Letters, digits, minus sign and point, raised to upper case.
     Name,
+    /// Anything, as it is typed.
+    Text,
 }
 
 /// A line that is being typed.
@@ -26,6 +28,8 @@ pub struct Entry {
     pub accepts: Accepts,
     /// What has been typed so far.
     pub text: String,
+    /// Whether the text is a proposal, which the first character replaces.
+    proposed: bool,
 }
 
 /// What a key did to a line.
@@ -42,7 +46,14 @@ pub enum Typed {
 impl Entry {
     /// An empty line.
     pub fn new(area: Area, at: (i32, i32), longest: usize, accepts: Accepts) -> Entry {
-        Entry { area, at, longest, accepts, text: String::new() }
+        Entry { area, at, longest, accepts, text: String::new(), proposed: false }
+    }
+
+    /// The line with a proposal: Enter takes it, the first character replaces it, Backspace changes it and
+    /// Delete empties it.
+    #[must_use]
+    pub fn proposing(self, text: impl Into<String>) -> Entry {
+        Entry { text: text.into(), proposed: true, ..self }
     }
 
     /// Takes a key.
@@ -52,11 +63,16 @@ impl Entry {
             Key::Esc => return Typed::Cancelled,
             Key::Backspace => {
                 self.text.pop();
+                self.proposed = false;
             }
-            Key::Char(_) => {
-                let letter = key.letter().filter(|&letter| self.takes(letter));
-                if let Some(letter) = letter.filter(|_| self.text.len() < self.longest) {
-                    self.text.push(letter);
+            Key::Delete if self.proposed => {
+                self.text.clear();
+                self.proposed = false;
+            }
+            Key::Char(typed) => {
+                let letter = if self.accepts == Accepts::Text { Some(typed) } else { key.letter() };
+                if let Some(letter) = letter.filter(|&letter| self.takes(letter)) {
+                    self.push(letter);
                 }
             }
             _ => {}
@@ -64,17 +80,39 @@ impl Entry {
         Typed::On
     }
 
+    fn push(&mut self, letter: char) {
+        if std::mem::take(&mut self.proposed) {
+            self.text.clear();
+        }
+        if self.text.chars().count() < self.longest {
+            self.text.push(letter);
+        }
+    }
+
     fn takes(&self, letter: char) -> bool {
         match self.accepts {
             Accepts::Number => letter.is_ascii_digit() || matches!(letter, '-' | '.' | 'E'),
             Accepts::Name => letter.is_ascii_alphanumeric() || matches!(letter, '-' | '.'),
+            Accepts::Text => !letter.is_control(),
         }
     }
 
     /// Draws the window with what has been typed.
     pub fn draw(&self, screen: &mut Screen) {
         window(screen, self.area);
-        screen.text(self.at.0, self.at.1, &self.text, Color::White);
+        let ink = if self.proposed { Color::Yellow } else { Color::White };
+        screen.text(self.at.0, self.at.1, self.shown(), ink);
+    }
+
+    /// What fits into the window: of a longer text the end, where one types.
+    fn shown(&self) -> &str {
+        if self.accepts != Accepts::Text {
+            return &self.text;
+        }
+        let fitting = usize::try_from((self.area.x2 - self.at.0) / 8).unwrap_or(0);
+        let hidden = self.text.chars().count().saturating_sub(fitting);
+        let start = self.text.char_indices().nth(hidden).map_or(self.text.len(), |(index, _)| index);
+        self.text.get(start..).unwrap_or("")
     }
 }
 
@@ -92,6 +130,31 @@ mod tests {
     fn only_what_makes_sense_is_taken() {
         assert_eq!(typed(Accepts::Number, 4, "a1-.x2345678901234567890"), "1-.2");
         assert_eq!(typed(Accepts::Name, 8, "six/a é\\b-1.ip2ab"), "SIXAB-1.");
+    }
+
+    #[test]
+    fn a_proposal_is_taken_replaced_changed_or_emptied() {
+        let after = |keys: &[Key]| {
+            let entry = Entry::new(Area::new(0, 0, 40, 12), (0, 0), 8, Accepts::Text);
+            let mut entry = entry.proposing("Ábra");
+            keys.iter().for_each(|&key| assert_eq!(entry.key(key), Typed::On));
+            entry.text
+        };
+        let letters = ['ő', ' ', 'B'].map(Key::Char);
+        assert_eq!(after(&[]), "Ábra");
+        assert_eq!(after(&letters), "ő B");
+        assert_eq!(after(&[Key::Backspace, Key::Char('á')]), "Ábrá");
+        assert_eq!(after(&[Key::Delete]), "");
+        assert_eq!(after(&[Key::Delete, Key::Char('x'), Key::Delete]), "x");
+    }
+
+    #[test]
+    fn of_a_long_text_the_end_is_shown() {
+        let mut entry = Entry::new(Area::new(0, 0, 44, 12), (4, 3), 30, Accepts::Text);
+        "egy hosszú cím, űrlap".chars().for_each(|letter| {
+            entry.key(Key::Char(letter));
+        });
+        assert_eq!((entry.text.as_str(), entry.shown()), ("egy hosszú cím, űrlap", "űrlap"));
     }
 
     #[test]

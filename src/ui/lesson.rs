@@ -31,6 +31,19 @@ const GAP: i32 = 4;
 /// Cells of a row.
 const COLORS: i32 = 16;
 
+/// The height of an explanation with the room above it.
+pub(super) fn height(lesson: &[Lesson]) -> i32 {
+    let table = 2 * GAP + LINE + CELL + GAP;
+    let lines = lesson.iter().filter(|piece| matches!(piece, Lesson::Line(_))).count();
+    let tables = lesson.iter().map(|piece| match piece {
+        Lesson::Line(_) => 0,
+        Lesson::Operation(_) => table + COLORS * CELL,
+        Lesson::Pointer => table + 4 * LINE,
+    });
+    let room = if lesson.is_empty() { 0 } else { 2 * GAP };
+    room + LINE * i32::try_from(lines).unwrap_or(0) + tables.max().unwrap_or(0)
+}
+
 /// Draws an explanation from `top` down.
 pub(super) fn draw(screen: &mut Screen, top: i32, lesson: &[Lesson], language: Language) {
     let (mut x, mut y) = (LEFT, top);

@@ -10,11 +10,12 @@ mod entry;
 mod frame;
 mod lesson;
 mod notice;
+mod save;
 mod stopwatch;
 pub mod words;
 
 pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, TOP, Way};
-pub use desk::{Desk, KeyHelp, Manual, Picture};
+pub use desk::{Desk, KeyHelp, Manual, Over, Picture};
 pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};
 pub use lesson::Lesson;

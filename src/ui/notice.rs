@@ -2,6 +2,7 @@
 
 use super::frame::panel;
 use super::words::Phrase;
+use crate::figure::wrap;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, WIDTH};
 use std::time::Duration;
@@ -23,6 +24,8 @@ pub(super) struct Notice {
     pub(super) text: Phrase,
     /// The moment at which it goes by itself.
     pub(super) until: Option<Duration>,
+    /// Whether a film shows it.
+    pub(super) filmed: bool,
 }
 
 /// Letters in a line of a short message, which stands where the questions stand.
@@ -42,47 +45,12 @@ impl Notice {
             screen.text((WIDTH - width) / 2, 220, text, Color::Black);
             return;
         }
-        let lines = wrap(text, LONG);
+        let mut lines = wrap(text, LONG);
+        lines.truncate(LINES);
         let height = 16 * i32::try_from(lines.len()).unwrap_or(0) + 8;
         panel(screen, 88, 256, 464, height);
         for (row, line) in (0..).zip(&lines) {
             screen.text(96, 264 + 16 * row, line, Color::Black);
         }
-    }
-}
-
-/// A text in lines of at most `width` letters, broken at blanks where there are any.
-fn wrap(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let mut word: Vec<char> = word.chars().collect();
-        while !word.is_empty() {
-            let line = lines.last_mut().expect("there is always a line: the list starts with one");
-            let used = line.chars().count();
-            let gap = usize::from(used > 0);
-            if used + gap + word.len() <= width {
-                line.extend(std::iter::repeat_n(' ', gap));
-                line.extend(word.drain(..));
-            } else if used > 0 {
-                lines.push(String::new());
-            } else {
-                line.extend(word.drain(..width));
-            }
-        }
-    }
-    lines.truncate(LINES);
-    lines
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_break_at_blanks_and_long_words_anywhere() {
-        assert_eq!(wrap("one two three", 7), ["one two", "three"]);
-        assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
-        assert_eq!(wrap("", 4), [""]);
-        assert_eq!(wrap(&"word ".repeat(1000), 20).len(), LINES);
     }
 }

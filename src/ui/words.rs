@@ -134,7 +134,47 @@ pub(crate) const NO_DOT: Words = Words(
     "A name has no dot: at most 8 letters, digits or -",
 );
 
+// Figures and films.
+pub(crate) const SVG: Hot = Hot::new('S', "VG", "VG");
+pub(crate) const PNG: Hot = Hot::new('P', "NG", "NG");
+pub(crate) const PDF: Hot = Hot::new('D', " - PDF", " - PDF");
+pub(crate) const ASK_KIND: Words = Words("      Ábra formátuma ?", "       Figure format ?");
+pub(crate) const ASK_AXES: Words = Words("   Tengelyek számokkal ?", "     Axes with numbers ?");
+pub(crate) const WIDTH_ENTRY: Words = Words("Szélesség képpontban:", "Width in pixels:");
+pub(crate) const TITLE_ENTRY: Words = Words("Cím (lehet üres):", "Title (may be empty):");
+pub(crate) const CAPTION_ENTRY: Words = Words("Aláírás (lehet üres):", "Caption (may be empty):");
+
+/// A figure has been saved.
+pub(crate) fn figure_saved(name: &str) -> Phrase {
+    Phrase::new(format!("Ábra: {name}"), format!("Figure: {name}"))
+}
+
+/// A picture of the screen has been saved.
+pub(crate) fn picture_saved(name: &str) -> Phrase {
+    Phrase::new(format!("Kép: {name}"), format!("Picture: {name}"))
+}
+
+/// A film begins.
+pub(crate) fn film_begun(name: &str) -> Phrase {
+    Phrase::new(format!("Film készül: {name}"), format!("Filming: {name}"))
+}
+
+/// A film has been saved.
+pub(crate) fn film_saved(name: &str) -> Phrase {
+    Phrase::new(format!("Film: {name}"), format!("Film: {name}"))
+}
+
+/// A film has come to the end of its room, and has been saved.
+pub(crate) fn film_full(name: &str) -> Phrase {
+    Phrase::new(
+        format!("Film: {name}. Magától ért véget: legfeljebb 10 perc vagy 64 MB lehet"),
+        format!("Film: {name}. It ended by itself: there can be 10 minutes or 64 MB at most"),
+    )
+}
+
 // The help page.
+pub(crate) const HELP_FIGURE: Words = Words("ábra mentése: SVG, PNG, PDF", "save a figure: SVG, PNG, PDF");
+pub(crate) const HELP_FILM: Words = Words("film (GIF) kezdete, vége", "film (GIF): start, end");
 pub(crate) const HELP_UNDO: Words = Words("visszavonás, mégis", "undo, redo");
 pub(crate) const HELP_HELP: Words = Words("ez a lap", "this page");
 pub(crate) const HELP_LANGUAGE: Words = Words("nyelv: magyar, angol", "language: Hungarian, English");

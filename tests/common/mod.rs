@@ -8,10 +8,14 @@ pub(crate) mod reference;
 
 use grafika::figure::screen_png;
 use grafika::launch::Program;
-use grafika::machine::{Machine, Memory, Outlet, Script, Session, Settings, Storage, play};
+use grafika::machine::{
+    Machine, Memory, Outlet, Script, Session, Settings, Storage, StorageError, StorageProblem, play,
+};
 use grafika::screen::Screen;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// A file of the tests' folder.
 pub(crate) fn path(name: &str) -> PathBuf {
@@ -67,4 +71,55 @@ pub(crate) fn storage(folder: &str, names: &[&str]) -> Memory {
         storage.write(name, &content).expect("memory takes all");
     }
     storage
+}
+
+/// A disk that is looked into after a program has written on it.
+#[derive(Clone, Default)]
+pub(crate) struct SharedDisk {
+    files: Rc<RefCell<Memory>>,
+    names: Rc<RefCell<std::collections::BTreeSet<String>>>,
+}
+
+impl SharedDisk {
+    /// The names of all files in their order.
+    pub(crate) fn names(&self) -> Vec<String> {
+        self.names.borrow().iter().cloned().collect()
+    }
+
+    /// What a file holds.
+    pub(crate) fn file(&self, name: &str) -> Vec<u8> {
+        self.files.borrow().read(name).unwrap_or_else(|error| panic!("{error}; there is {:?}", self.names()))
+    }
+}
+
+impl Storage for SharedDisk {
+    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
+        self.files.borrow().read(name)
+    }
+    fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
+        self.files.borrow_mut().write(name, content)?;
+        let stored = self.find(name).expect("it has just been written");
+        self.names.borrow_mut().insert(stored);
+        Ok(())
+    }
+    fn find(&self, name: &str) -> Option<String> {
+        self.files.borrow().find(name)
+    }
+}
+
+/// A disk that takes nothing.
+#[derive(Clone, Default)]
+pub(crate) struct Refusing(Memory);
+
+impl Storage for Refusing {
+    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
+        self.0.read(name)
+    }
+    fn write(&mut self, name: &str, _: &[u8]) -> Result<(), StorageError> {
+        let problem = StorageProblem::System("No space left on device (os error 28)".to_string());
+        Err(StorageError { name: name.to_string(), problem })
+    }
+    fn find(&self, name: &str) -> Option<String> {
+        self.0.find(name)
+    }
 }

@@ -28,7 +28,8 @@ pub(super) enum Shape {
 pub(super) struct Target {
     /// The file's name and the shape.
     pub(super) name: Phrase,
-    path: ClosedPath<2>,
+    /// The curve itself, in the middle of the field.
+    pub(super) path: ClosedPath<2>,
     /// The path as pixels.
     pub(super) outline: Vec<(i32, i32)>,
 }

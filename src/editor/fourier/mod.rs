@@ -18,7 +18,7 @@ use crate::machine::{Event, Key, Machine, Quit, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{
-    Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Picture, Stay, TOP, Typed, Words, page, window,
+    Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Over, Stay, TOP, Typed, Words, page, window,
 };
 use coefficient::{Coefficient, Column};
 use fitting::Target;
@@ -314,8 +314,7 @@ impl Editor {
         let mut column: Option<Column> = None;
         let mut number = Entry::new(windows[1], (364, 31), 2, Accepts::Number);
         loop {
-            let draw = |screen: &mut Screen, language| {
-                self.draw(screen, language);
+            let typing = Over::new(self, |screen: &mut Screen, language| {
                 page(screen, TOP);
                 screen.text(230, 26, words::COEFFICIENT_NAME.of(language), Color::Black);
                 let color = |active| if active { Color::LightRed } else { Color::Black };
@@ -324,8 +323,8 @@ impl Editor {
                 window(screen, windows[0]);
                 screen.text(368, 13, column.map_or("", Column::name), Color::White);
                 number.draw(screen);
-            };
-            let tick = desk.event(&draw).await?;
+            });
+            let tick = desk.event(&typing).await?;
             if let Some(place) = tick.click().and_then(|(x, y)| layout::coefficient_at(x, y)) {
                 return Ok(Some(place));
             }

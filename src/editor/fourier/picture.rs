@@ -2,6 +2,7 @@
 
 use super::coefficient::{Coefficient, Column, curve};
 use super::{Editor, Stage, layout};
+use crate::figure::{CURVE_INK, Figure, tolerance};
 use crate::file::Fourier;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
@@ -17,10 +18,7 @@ pub(super) const COMMANDS: [Button; 2] =
 impl Picture for Editor {
     fn draw(&self, screen: &mut Screen, language: Language) {
         screen.clear(Color::LightCyan);
-        let shown = match &self.stage {
-            Stage::Starting(before) => before.as_deref(),
-            Stage::Working => Some(self.history.now()),
-        };
+        let shown = self.shown();
         if let Some(fourier) = shown {
             self.draw_field(screen, fourier);
         }
@@ -34,9 +32,27 @@ impl Picture for Editor {
             self.draw_notes(screen, language);
         }
     }
+
+    fn figure(&self) -> Option<Figure> {
+        let curve = curve(self.shown()?).ok()?;
+        let mut figure = Figure::new();
+        if let Some(target) = &self.target {
+            figure.plot_target(target.path.arcs().to_vec());
+        }
+        figure.plot_curve(curve.to_cubics(tolerance(Some(curve.bounding_box()))).ok()?, CURVE_INK);
+        Some(figure)
+    }
 }
 
 impl Editor {
+    /// The coefficients of the curve in the picture.
+    fn shown(&self) -> Option<&Fourier> {
+        match &self.stage {
+            Stage::Starting(before) => before.as_deref(),
+            Stage::Working => Some(self.history.now()),
+        }
+    }
+
     /// The curve, over the one that it was fitted to.
     fn draw_field(&self, screen: &mut Screen, fourier: &Fourier) {
         layout::field(screen);

@@ -85,15 +85,20 @@ impl Editor {
     /// The axis and the offset of the section in the corner of the picture.
     pub(super) fn draw_section(&self, screen: &mut Screen, drawn: &Drawn, look: Look) {
         let Some(Section { axis, offset }) = self.section else { return };
-        let mut normal = [0.0; 3];
-        normal[axis.min(2)] = 1.0;
         let name = ["x", "y", "z"][axis.min(2)];
         screen.text(560, 66, &format!("{name} = {offset}"), Color::Yellow);
-        let Ok(lines) = section(&drawn.surface, Plane { normal, offset }, drawn.steps) else { return };
-        for line in lines {
+        for line in self.section_lines(drawn) {
             let pixels: Vec<(i32, i32)> = line.into_iter().map(|point| look.to_screen(point)).collect();
             screen.polyline(&pixels, Stroke::thick(Color::Yellow));
         }
+    }
+
+    /// Where the plane cuts the surface; nothing without a plane.
+    pub(super) fn section_lines(&self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
+        let Some(Section { axis, offset }) = self.section else { return Vec::new() };
+        let mut normal = [0.0; 3];
+        normal[axis.min(2)] = 1.0;
+        section(&drawn.surface, Plane { normal, offset }, drawn.steps).unwrap_or_default()
     }
 
     /// Draws the surface in colours; `false` if nothing is inspected.

@@ -3,6 +3,7 @@
 
 mod ask;
 mod commands;
+mod figure;
 mod inspect;
 mod map;
 mod model;

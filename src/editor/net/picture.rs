@@ -7,6 +7,7 @@ use super::surface::{Drawn, draw_grid};
 use super::{Editor, Stage};
 use crate::editor::axes::{draw_axes, draw_legend};
 use crate::editor::field::{ground, surroundings};
+use crate::figure::Figure;
 use crate::geometry::Point;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
@@ -49,6 +50,10 @@ impl Picture for Editor {
             Stage::Result => self.draw_result(screen, language),
             stage => self.draw_desk(screen, stage, language),
         }
+    }
+
+    fn figure(&self) -> Option<Figure> {
+        self.as_figure()
     }
 }
 
@@ -109,50 +114,50 @@ impl Editor {
             return;
         }
         let model = self.preview();
-        if (self.follow || self.held.is_some())
-            && let Ok(drawn) = self.draw_up(&model)
-        {
+        if let Some(drawn) = self.under_net(&model) {
             let ink = if self.inspection == Inspection::Off { Color::Cyan } else { Color::White };
             self.draw_surface(screen, &drawn, ink);
         }
         self.draw_net(screen, &model);
     }
 
+    /// The surface that is shown with its net.
+    pub(super) fn under_net(&self, model: &Model) -> Option<Drawn> {
+        let follows = self.follow || self.held.is_some();
+        follows.then(|| self.draw_up(model).ok()).flatten()
+    }
+
     /// The control points and the lines between them.
     fn draw_net(&self, screen: &mut Screen, model: &Model) {
         let look = self.viewer.look;
-        let line = |screen: &mut Screen, from: Point<3>, to: Point<3>, ink: Color| {
+        for (from, to, ink) in self.strokes(model) {
             let ((x1, y1), (x2, y2)) = (look.to_screen(from), look.to_screen(to));
             screen.line(x1, y1, x2, y2, Stroke::thin(ink));
-        };
-        match self.plan.family {
-            Family::Heights => {
-                for (from, to) in ground_lines(model) {
-                    line(screen, from, to, Color::DarkGray);
-                }
-            }
-            Family::Hermite => {
-                for (from, to) in self.border_lines(model) {
-                    line(screen, from, to, Color::White);
-                }
-                let corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|corner| model.point(corner));
-                for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-                    if let (Some(from), Some(to)) = (*from, *to) {
-                        line(screen, from, to, Color::LightGray);
-                    }
-                }
-            }
-            _ => {
-                for (from, to) in net_lines(model, self.plan.kind.topology().closed()) {
-                    line(screen, from, to, Color::LightGray);
-                }
-            }
         }
         for index in model.indices(&self.plan) {
             let Some(point) = model.point(index) else { continue };
             let (x, y) = look.to_screen(point);
             let fill = if self.picked() == Some(index) { Color::LightRed } else { Color::Black };
             screen.disc(x, y, RADIUS, fill, Color::White);
+        }
+    }
+
+    /// The lines between the control points in their colours; white ones are borders of the surface.
+    pub(super) fn strokes(&self, model: &Model) -> Vec<(Point<3>, Point<3>, Color)> {
+        let inked = |lines: Vec<Line>, ink: Color| lines.into_iter().map(move |(from, to)| (from, to, ink));
+        match self.plan.family {
+            Family::Heights => inked(ground_lines(model), Color::DarkGray).collect(),
+            Family::Hermite => {
+                let corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|corner| model.point(corner));
+                let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+                let sides = sides.filter_map(|(from, to)| from.zip(*to)).collect();
+                let borders = inked(self.border_lines(model), Color::White);
+                borders.chain(inked(sides, Color::LightGray)).collect()
+            }
+            _ => {
+                let closed = self.plan.kind.topology().closed();
+                inked(net_lines(model, closed), Color::LightGray).collect()
+            }
         }
     }
 

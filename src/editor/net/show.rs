@@ -1,8 +1,10 @@
 //! A surface that is only looked at: turned, zoomed, in wires or filled.
 
+use super::figure::of_grid;
 use super::surface::{Display, Fill, draw_grid};
 use crate::editor::axes::draw_legend;
 use crate::editor::look::{Look, Poles, Viewer};
+use crate::figure::Figure;
 use crate::file::Document;
 use crate::geometry::{Grid, Point};
 use crate::machine::{Key, Language, Machine, Quit};
@@ -52,6 +54,10 @@ impl Picture for Shown {
         draw_grid(screen, &self.grid, self.viewer.look, (self.display, Fill::Plain), Color::White);
         draw_legend(screen, language);
         self.display.draw_legend(screen, language);
+    }
+
+    fn figure(&self) -> Option<Figure> {
+        of_grid(&self.grid, self.viewer.look.view, self.display)
     }
 }
 

@@ -5,7 +5,7 @@ use super::curves::Kind;
 use crate::machine::{Key, Language, Quit};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
-use crate::ui::{Area, Desk, Picture, TOP};
+use crate::ui::{Area, Desk, Over, TOP};
 
 impl Editor {
     /// Chooses which curves are shown together, each in its colour.
@@ -13,8 +13,7 @@ impl Editor {
         let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
         loop {
             let compared = self.compared.clone();
-            let draw = |screen: &mut Screen, language: Language| {
-                self.draw(screen, language);
+            let page = Over::new(self, |screen: &mut Screen, language: Language| {
                 crate::ui::page(screen, TOP);
                 for (index, (kind, name, color)) in (0..).zip(Kind::ALL) {
                     let (x, y) = place(index);
@@ -25,8 +24,8 @@ impl Editor {
                     screen.text(x + 34, y, name, Color::Black);
                 }
                 screen.text(332, 35, words::ENTER_BACK.of(language), Color::Black);
-            };
-            let tick = desk.event(&draw).await?;
+            });
+            let tick = desk.event(&page).await?;
             let clicked = tick.click().and_then(|(x, y)| {
                 (0..).zip(Kind::ALL).position(|(index, _)| {
                     let (left, top) = place(index);

@@ -5,7 +5,10 @@ use super::sketch::Sketch;
 use super::tools::Tools;
 use crate::editor::beta;
 use crate::editor::choice::{BETA_STEPS, Choice};
-use crate::geometry::{Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
+use crate::figure::tolerance;
+use crate::geometry::{
+    BoundingBox, Closure, CubicBezier, Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs,
+};
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
 
@@ -52,26 +55,63 @@ pub(super) struct Pixels {
 /// Steps that a span with given tangents is drawn in.
 const TANGENT_STEPS: usize = 20;
 
+/// The curve that a program draws for a choice.
+pub(super) enum Traced {
+    Plain(Curve<2>),
+    /// A beta-spline whose joints differ in shape.
+    Varying(VaryingBeta<2>),
+}
+
 /// The curve that a program draws for a choice, or why there is none.
-pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pixels, GeometryError> {
-    let closure = choice.closure;
+pub(super) fn trace(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Traced, GeometryError> {
+    let (closure, points) = (choice.closure, sketch.points());
     match (tools, &sketch.tangents, &sketch.joints) {
         (Tools::Tangents, Some(tangents), _) => {
-            let curve = Curve::Piecewise(hermite_arcs(closure, sketch.points(), tangents)?);
-            Ok(Pixels { line: screen_line(curve.polyline(TANGENT_STEPS)?), joints: Vec::new() })
+            hermite_arcs(closure, points, tangents).map(|arcs| Traced::Plain(Curve::Piecewise(arcs)))
         }
-        (Tools::Beta, _, Some(joints)) => {
-            let curve = VaryingBeta::new(closure, sketch.points(), joints)?;
-            let points = (0..curve.spans()).flat_map(|span| curve.span_points(span, BETA_STEPS));
-            Ok(Pixels { line: screen_line(points), joints: places(curve.joints()) })
-        }
+        (Tools::Beta, _, Some(joints)) => VaryingBeta::new(closure, points, joints).map(Traced::Varying),
         (Tools::Beta, ..) => {
             let choice = Choice { closure, method: sketch.shape.method() };
-            let joints = beta::joints(&choice.curve(sketch.points())?, closure);
-            Ok(Pixels { line: screen_line(choice.polyline(sketch.points())?), joints: places(joints) })
+            choice.curve(points).map(Traced::Plain)
         }
-        _ => Ok(Pixels { line: screen_line(choice.polyline(sketch.points())?), joints: Vec::new() }),
+        _ => choice.curve(points).map(Traced::Plain),
     }
+}
+
+impl Traced {
+    /// The curve as cubic arcs: exactly, or as near as a picture can show.
+    pub(super) fn arcs(&self, points: &[Point<2>]) -> Result<Vec<CubicBezier<2>>, GeometryError> {
+        match self {
+            Traced::Plain(curve) => curve.to_cubics(tolerance(curve.bounding_box())),
+            Traced::Varying(curve) => curve.to_cubics(tolerance(BoundingBox::of_points(points))),
+        }
+    }
+
+    /// Where its spans join, if the program marks that.
+    pub(super) fn joints(&self, tools: Tools, closure: Closure) -> Vec<Point<2>> {
+        match self {
+            Traced::Plain(curve) if tools == Tools::Beta => beta::joints(curve, closure),
+            Traced::Plain(_) => Vec::new(),
+            Traced::Varying(curve) => curve.joints(),
+        }
+    }
+}
+
+/// The curve that a program draws for a choice as pixels, or why there is none.
+pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pixels, GeometryError> {
+    let traced = trace(tools, choice, sketch)?;
+    let steps = match tools {
+        Tools::Methods => choice.steps(),
+        Tools::Tangents => TANGENT_STEPS,
+        Tools::Beta => BETA_STEPS,
+    };
+    let line = match &traced {
+        Traced::Plain(curve) => screen_line(curve.polyline(steps)?),
+        Traced::Varying(curve) => {
+            screen_line((0..curve.spans()).flat_map(|span| curve.span_points(span, steps)))
+        }
+    };
+    Ok(Pixels { line, joints: places(traced.joints(tools, choice.closure)) })
 }
 
 /// The pixels of points, one for each.

@@ -6,6 +6,7 @@
 mod commands;
 mod compare;
 mod curves;
+mod figure;
 mod files;
 mod joints;
 mod layout;

@@ -6,6 +6,7 @@ use super::{Editor, Handle, Stage, Tools, tangents};
 use crate::editor::beta;
 use crate::editor::choice::{COMMANDS, Choice};
 use crate::editor::field::ground;
+use crate::figure::Figure;
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
 use crate::ui::{Picture, TOP, page, words};
@@ -16,6 +17,10 @@ impl Picture for Editor {
             Stage::Result { points } => self.draw_result(screen, points, language),
             stage => self.draw_desk(screen, stage, language),
         }
+    }
+
+    fn figure(&self) -> Option<Figure> {
+        self.as_figure()
     }
 }
 

@@ -5,6 +5,7 @@ use super::curves::Kind;
 use super::layout::to_screen;
 use super::{Drawing, Editor, Sketch};
 use crate::editor::choice::FEWEST;
+use crate::figure::Figure;
 use crate::geometry::{FEWEST_MEASURED, Residuals, Smoothed, Smoothing, smooth};
 use crate::machine::{Key, Language, Quit};
 use crate::screen::{Color, Screen};
@@ -49,15 +50,9 @@ impl Editor {
 
     /// Shows the workshop until Enter, which is `true`, or Esc.
     async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<2>) -> Result<bool, Quit> {
-        let draw = |screen: &mut Screen, language: Language| {
-            self.draw(screen, language);
-            for (x, y) in smoothed.points.iter().copied().map(to_screen) {
-                screen.disc(x, y, RADIUS, Color::LightGreen, Color::Black);
-            }
-            draw_page(screen, smoothed.residuals, language);
-        };
+        let workshop = Workshop { editor: self, smoothed };
         loop {
-            match desk.event(&draw).await?.key() {
+            match desk.event(&workshop).await?.key() {
                 Some(Key::Enter) => return Ok(true),
                 Some(Key::Esc | Key::F(5)) => return Ok(false),
                 _ => {}
@@ -72,6 +67,28 @@ impl Editor {
         if let Some(drawing) = Drawing::new(rounded) {
             self.change(Sketch { drawing, ..self.history.now().clone() });
         }
+    }
+}
+
+/// The picture of the workshop.
+struct Workshop<'e> {
+    editor: &'e Editor,
+    smoothed: &'e Smoothed<2>,
+}
+
+impl Picture for Workshop<'_> {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        self.editor.draw(screen, language);
+        for (x, y) in self.smoothed.points.iter().copied().map(to_screen) {
+            screen.disc(x, y, RADIUS, Color::LightGreen, Color::Black);
+        }
+        draw_page(screen, self.smoothed.residuals, language);
+    }
+
+    fn figure(&self) -> Option<Figure> {
+        let mut figure = self.editor.figure()?;
+        self.smoothed.points.iter().for_each(|&point| figure.plot_joint(point));
+        Some(figure)
     }
 }
 

@@ -280,7 +280,7 @@ impl<'t> View<'t> {
 
     fn show_blocks(&mut self, session: &Session, place: Place, frame: &mut Vec<u8>) {
         let pointer = session.pointer().map(|(_, x, y)| (x, y));
-        let cells = blocks::grid(&session.screen(), pointer, place);
+        let cells = blocks::grid(&session.marked_screen(), pointer, place);
         let before = match &self.shown {
             Shown::Cells(before) => Some(before.as_slice()),
             _ => None,

@@ -1,0 +1,267 @@
+//! A picture as a PDF of one page. Curves are cubic curves, letters are outlines of the font, so that the page
+//! looks the same everywhere and needs no font; numbers are kept to single precision, as PDF has it.
+
+use super::FigureError;
+use super::layout::{LETTER_WIDTH, Layout, Letters, RULE};
+use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
+use super::raster::FONT;
+use crate::geometry::{Closure, CubicBezier, Point};
+use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::{Content, Filter, Finish, Pdf, Rect, Ref, TextStr};
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
+
+/// Points of a page for a pixel: 96 pixels are an inch, as in SVG.
+const POINTS: f64 = 0.75;
+/// Effort of the compression, 0 to 10.
+const LEVEL: u8 = 6;
+/// The distance of a quarter circle's inner control points from its ends, by the radius.
+const KAPPA: f64 = 0.552_284_749_830_793_4;
+/// Width of the white seam around letters in nominal pixels, on both sides of the outline together.
+const SEAM: f32 = 3.0;
+
+impl Figure {
+    /// The picture as a PDF of one page, [`NOMINAL_WIDTH`] pixels of 0.75 points wide. The same figure gives the
+    /// same bytes.
+    ///
+    /// # Errors
+    /// [`FigureError`] for a coordinate that is not finite or too large, and for sizes out of range.
+    pub fn to_pdf(&self) -> Result<Vec<u8>, FigureError> {
+        self.to_pdf_of_width(NOMINAL_WIDTH)
+    }
+
+    /// The picture as a PDF whose page has another width: [`SMALLEST_WIDTH`] to [`LARGEST_WIDTH`] pixels of 0.75
+    /// points, everything else being enlarged or reduced with it.
+    ///
+    /// [`SMALLEST_WIDTH`]: super::SMALLEST_WIDTH
+    /// [`LARGEST_WIDTH`]: super::LARGEST_WIDTH
+    ///
+    /// # Errors
+    /// As [`Figure::to_pdf`], and for such a width.
+    pub fn to_pdf_of_width(&self, width: u32) -> Result<Vec<u8>, FigureError> {
+        check_width(width)?;
+        self.check()?;
+        let layout = Layout::new(self);
+        let enlarged = f64::from(width) / f64::from(NOMINAL_WIDTH);
+        let mut page = Page::new([f64::from(NOMINAL_WIDTH), layout.height], POINTS * enlarged);
+        page.content.set_line_cap(LineCapStyle::RoundCap).set_line_join(LineJoinStyle::RoundJoin);
+        page.rules(&layout.rules);
+        self.items.iter().for_each(|item| page.draw(item, &layout));
+        page.letters(&layout.letters)?;
+        Ok(page.finish(self.title.as_deref()))
+    }
+}
+
+/// A page that is being drawn, in pixels from its upper left corner.
+pub(super) struct Page {
+    pub(super) content: Content,
+    /// Width and height in points.
+    size: [f32; 2],
+}
+
+impl Page {
+    /// A white page of a size in pixels; one of them measures so many points.
+    pub(super) fn new([width, height]: [f64; 2], pixel: f64) -> Page {
+        let mut content = Content::new();
+        let (scale, up) = (pixel as f32, (height * pixel) as f32);
+        content.transform([scale, 0.0, 0.0, -scale, 0.0, up]);
+        Page { content, size: [(width * pixel) as f32, up] }
+    }
+
+    /// The page as a document.
+    pub(super) fn finish(self, title: Option<&str>) -> Vec<u8> {
+        let [catalog, pages, page, content, info] = [1, 2, 3, 4, 5].map(Ref::new);
+        let packed = miniz_oxide::deflate::compress_to_vec_zlib(&self.content.finish().into_vec(), LEVEL);
+        let mut pdf = Pdf::new();
+        pdf.catalog(catalog).pages(pages);
+        pdf.pages(pages).kids([page]).count(1);
+        let mut sheet = pdf.page(page);
+        sheet.parent(pages).media_box(Rect::new(0.0, 0.0, self.size[0], self.size[1])).contents(content);
+        sheet.resources();
+        sheet.finish();
+        pdf.stream(content, &packed).filter(Filter::FlateDecode);
+        if let Some(title) = title {
+            pdf.document_info(info).title(TextStr(&super::layout::printable(title)));
+        }
+        pdf.finish()
+    }
+
+    fn draw(&mut self, item: &Item, layout: &Layout) {
+        let (any, style) = match item {
+            Item::Curve { arcs, closure, style } => (self.curve(arcs, *closure, layout), style),
+            Item::Polyline { points, closure, style } => (self.polyline(points, *closure, layout), style),
+            Item::Disc { at, radius, style, .. } => (self.circle(layout.place(*at), *radius), style),
+            Item::Text { .. } => return,
+        };
+        if any {
+            self.paint(style);
+        }
+    }
+
+    /// The lines of axes.
+    fn rules(&mut self, rules: &[[Point<2>; 2]]) {
+        for &[from, to] in rules {
+            self.move_to(from);
+            self.line_to(to);
+        }
+        if !rules.is_empty() {
+            self.paint(&RULE);
+        }
+    }
+
+    fn move_to(&mut self, [x, y]: Point<2>) {
+        self.content.move_to(x as f32, y as f32);
+    }
+
+    fn line_to(&mut self, [x, y]: Point<2>) {
+        self.content.line_to(x as f32, y as f32);
+    }
+
+    fn cubic_to(&mut self, points: [Point<2>; 3]) {
+        let [[ax, ay], [bx, by], [cx, cy]] = points.map(|point| point.map(|value| value as f32));
+        self.content.cubic_to(ax, ay, bx, by, cx, cy);
+    }
+
+    /// Puts a curve into the path; whether there is anything of it.
+    fn curve(&mut self, arcs: &[CubicBezier<2>], closure: Closure, layout: &Layout) -> bool {
+        for (begin, arc) in begins(arcs) {
+            let [a, b, c, d] = arc.p.map(|point| layout.place(point));
+            if begin {
+                self.move_to(a);
+            }
+            self.cubic_to([b, c, d]);
+        }
+        self.close(closure, !arcs.is_empty())
+    }
+
+    fn polyline(&mut self, points: &[Point<2>], closure: Closure, layout: &Layout) -> bool {
+        for (index, &point) in points.iter().enumerate() {
+            match index {
+                0 => self.move_to(layout.place(point)),
+                _ => self.line_to(layout.place(point)),
+            }
+        }
+        self.close(closure, !points.is_empty())
+    }
+
+    fn close(&mut self, closure: Closure, any: bool) -> bool {
+        if any && closure == Closure::Closed {
+            self.content.close_path();
+        }
+        any
+    }
+
+    /// A circle of four arcs.
+    fn circle(&mut self, [x, y]: Point<2>, radius: f64) -> bool {
+        let on = |[c, s]: [f64; 2]| [x + radius * c, y + radius * s];
+        let mut way = [1.0, 0.0];
+        self.move_to(on(way));
+        for _ in 0..4 {
+            let next = [-way[1], way[0]];
+            let inner = |a: [f64; 2], b: [f64; 2]| on([a[0] + KAPPA * b[0], a[1] + KAPPA * b[1]]);
+            self.cubic_to([inner(way, next), inner(next, way), on(next)]);
+            way = next;
+        }
+        self.content.close_path();
+        true
+    }
+
+    /// Fills and strokes the path.
+    fn paint(&mut self, style: &Style) {
+        // A width of nothing would be a hair line.
+        let stroke = style.stroke.filter(|_| style.width > 0.0);
+        if let Some([red, green, blue]) = style.fill.map(shares) {
+            self.content.set_fill_rgb(red, green, blue);
+        }
+        if let Some([red, green, blue]) = stroke.map(shares) {
+            self.content.set_stroke_rgb(red, green, blue).set_line_width(style.width as f32);
+            let dash = style.dash.map(|dash| dash.map(|length| length as f32));
+            self.content.set_dash_pattern(dash.iter().flatten().copied(), 0.0);
+        }
+        match (style.fill, stroke) {
+            (Some(_), Some(_)) => self.content.fill_nonzero_and_stroke(),
+            (Some(_), None) => self.content.fill_nonzero(),
+            (None, Some(_)) => self.content.stroke(),
+            (None, None) => self.content.end_path(),
+        };
+    }
+
+    /// Black letters with a white seam, so that lines do not run through them.
+    fn letters(&mut self, letters: &[Letters]) -> Result<(), FigureError> {
+        if letters.is_empty() {
+            return Ok(());
+        }
+        let face = Face::parse(FONT, 0).map_err(|error| FigureError::Encoding(error.to_string()))?;
+        self.content.set_fill_gray(0.0).set_stroke_gray(1.0).set_line_width(SEAM);
+        self.content.set_dash_pattern([], 0.0);
+        for line in letters {
+            // The seam of a letter must not cover the one before it.
+            self.outlines(line, &face);
+            self.content.stroke();
+            self.outlines(line, &face);
+            self.content.fill_nonzero();
+        }
+        Ok(())
+    }
+
+    fn outlines(&mut self, line: &Letters, face: &Face<'_>) {
+        let scale = line.size / f64::from(face.units_per_em());
+        let advance = LETTER_WIDTH * line.size;
+        for (index, ch) in line.text.chars().enumerate() {
+            let glyph = face.glyph_index(ch).unwrap_or(GlyphId(0));
+            let origin = [line.at[0] + index as f64 * advance, line.at[1]];
+            // A letter without outline, a blank, draws nothing.
+            face.outline_glyph(glyph, &mut Pen { page: self, origin, scale, at: origin });
+        }
+    }
+}
+
+/// A colour in shares from 0 to 1.
+pub(super) fn shares(color: [u8; 3]) -> [f32; 3] {
+    color.map(|channel| f32::from(channel) / 255.0)
+}
+
+/// Draws the outline of a letter.
+struct Pen<'p> {
+    page: &'p mut Page,
+    /// Where the letter's base line begins.
+    origin: Point<2>,
+    scale: f64,
+    at: Point<2>,
+}
+
+impl Pen<'_> {
+    fn place(&self, x: f32, y: f32) -> Point<2> {
+        let place = [self.origin[0] + self.scale * f64::from(x), self.origin[1] - self.scale * f64::from(y)];
+        // A thousandth of a pixel is enough for letters, and half as long as all digits.
+        place.map(|value| (1000.0 * value).round() / 1000.0)
+    }
+}
+
+impl OutlineBuilder for Pen<'_> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.at = self.place(x, y);
+        self.page.move_to(self.at);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.at = self.place(x, y);
+        self.page.line_to(self.at);
+    }
+
+    fn quad_to(&mut self, bx: f32, by: f32, x: f32, y: f32) {
+        let (from, middle, to) = (self.at, self.place(bx, by), self.place(x, y));
+        // A parabola as a cubic: two thirds of the way to its control point.
+        let inner = |end: Point<2>| std::array::from_fn(|d| end[d] + 2.0 / 3.0 * (middle[d] - end[d]));
+        self.page.cubic_to([inner(from), inner(to), to]);
+        self.at = to;
+    }
+
+    fn curve_to(&mut self, bx: f32, by: f32, cx: f32, cy: f32, x: f32, y: f32) {
+        self.at = self.place(x, y);
+        self.page.cubic_to([self.place(bx, by), self.place(cx, cy), self.at]);
+    }
+
+    fn close(&mut self) {
+        self.page.content.close_path();
+    }
+}

@@ -1,0 +1,43 @@
+//! Breaking text into lines.
+
+/// A text in lines of at most `width` letters, broken at blanks where there are any; words that are longer
+/// are broken anywhere. An empty text is one empty line.
+///
+/// ```
+/// assert_eq!(grafika::figure::wrap("one two three", 7), ["one two", "three"]);
+/// ```
+#[must_use]
+pub fn wrap(text: &str, width: usize) -> Vec<String> {
+    let width = width.max(1);
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let mut word: Vec<char> = word.chars().collect();
+        while !word.is_empty() {
+            let line = lines.last_mut().expect("there is always a line: the list starts with one");
+            let used = line.chars().count();
+            let gap = usize::from(used > 0);
+            if used + gap + word.len() <= width {
+                line.extend(std::iter::repeat_n(' ', gap));
+                line.extend(word.drain(..));
+            } else if used > 0 {
+                lines.push(String::new());
+            } else {
+                line.extend(word.drain(..width));
+            }
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_break_at_blanks_and_long_words_anywhere() {
+        assert_eq!(wrap("one two three", 7), ["one two", "three"]);
+        assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+        assert_eq!(wrap("", 4), [""]);
+        assert_eq!(wrap("ab", 0), ["a", "b"]);
+    }
+}

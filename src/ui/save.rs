@@ -1,0 +1,269 @@
+//! What every program saves of what it shows: F10 a figure, F12 the screen, Ctrl+F12 a film.
+//!
+//! A figure is the geometry of a picture, written as SVG, PNG or PDF with a title, a caption and axes; a
+//! picture without geometry gives its screen instead, in the same formats.
+
+use super::ask::{Caption, Choices, Number, Question, TOP};
+use super::desk::{Desk, Picture};
+use super::entry::{Accepts, Entry};
+use super::frame::Area;
+use super::notice::Stay;
+use super::words::{self, Hot, Phrase};
+use crate::figure::{
+    Axes, Figure, FigureError, LARGEST_SCALE, LARGEST_WIDTH, SMALLEST_WIDTH, screen_pdf, screen_png,
+    screen_png_of_scale, screen_svg,
+};
+use crate::machine::{Quit, free_name};
+use crate::screen::{Color, Screen, WIDTH};
+use std::ops::RangeInclusive;
+
+/// A format of figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Svg,
+    Png,
+    Pdf,
+}
+
+impl Kind {
+    /// Every format with its extension, its answer and where that stands on the page.
+    const ALL: [(Kind, &'static str, Hot, (i32, i32)); 3] = [
+        (Kind::Svg, "svg", words::SVG, (16, 66)),
+        (Kind::Png, "png", words::PNG, (86, 136)),
+        (Kind::Pdf, "pdf", words::PDF, (156, 226)),
+    ];
+}
+
+/// The width of a PNG that is proposed.
+const WIDTH_PROPOSED: &str = "1280";
+/// Characters of a width, of a title and of a caption.
+const LONGEST_NUMBER: usize = 5;
+const LONGEST_TITLE: usize = 80;
+const LONGEST_CAPTION: usize = 400;
+
+/// What is to be written.
+enum Content {
+    Figure(Box<Figure>),
+    Screen(Box<Screen>),
+}
+
+impl Desk<'_> {
+    /// The key F10: asks what the figure shall be like, and saves it. Esc in any question saves nothing.
+    pub(super) async fn ask_and_save_figure(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
+        let mut content = match picture.figure() {
+            Some(figure) => Content::Figure(Box::new(figure)),
+            None => {
+                let language = self.machine.language();
+                picture.draw(self.machine.screen(), language);
+                Content::Screen(Box::new(self.machine.screen().clone()))
+            }
+        };
+        let Some((kind, extension)) = self.ask_kind(picture).await? else { return Ok(()) };
+        let mut width = 0;
+        if kind == Kind::Png {
+            let Some(pixels) = self.ask_width(picture, content.widths()).await? else { return Ok(()) };
+            width = pixels;
+        }
+        if let Content::Figure(figure) = &mut content
+            && !self.ask_words(picture, figure).await?
+        {
+            return Ok(());
+        }
+        let Some(name) = self.ask_name(picture, extension).await? else { return Ok(()) };
+        let saved = content.encode(kind, width).map_err(|error| words::plain(&error)).and_then(|file| {
+            let written = self.machine.storage().write(&name, &file);
+            written.map_err(|error| words::storage_problem(&error))
+        });
+        match saved {
+            Ok(()) => self.tell(words::figure_saved(&name), Stay::Briefly),
+            Err(problem) => self.tell(problem, Stay::UntilRead),
+        }
+        Ok(())
+    }
+
+    async fn ask_kind(&mut self, picture: &dyn Picture) -> Result<Option<(Kind, &'static str)>, Quit> {
+        let (x, y) = TOP;
+        let answer = |(_, _, text, (left, right)): (Kind, &str, Hot, (i32, i32))| {
+            (Area::new(x + left, y + 21, x + right, y + 34), text)
+        };
+        let choices = Choices {
+            place: TOP,
+            captions: vec![Caption { at: (x + 7, y + 8), text: words::ASK_KIND.into(), color: Color::Black }],
+            answers: Kind::ALL.map(answer).into(),
+        };
+        let chosen = self.choose_or(picture, &choices, Some(0)).await?;
+        let kind = chosen.and_then(|index| Kind::ALL.get(index));
+        Ok(kind.map(|&(kind, extension, ..)| (kind, extension)))
+    }
+
+    /// Asks for the width of a PNG until it is a number; one out of the range becomes its nearest end.
+    async fn ask_width(
+        &mut self,
+        picture: &dyn Picture,
+        range: RangeInclusive<i32>,
+    ) -> Result<Option<u32>, Quit> {
+        let number = Number::Whole(range);
+        loop {
+            let entry = line_entry(LONGEST_NUMBER, Accepts::Number).proposing(WIDTH_PROPOSED);
+            let Some(text) = self.type_line(picture, words::WIDTH_ENTRY, entry).await? else {
+                return Ok(None);
+            };
+            if let Some(width) = number.read(&text) {
+                return Ok(Some(width as u32));
+            }
+        }
+    }
+
+    /// Asks for what stands around a figure; `false` is Esc.
+    async fn ask_words(&mut self, picture: &dyn Picture, figure: &mut Figure) -> Result<bool, Quit> {
+        let title = line_entry(LONGEST_TITLE, Accepts::Text).proposing(self.title());
+        let Some(title) = self.type_line(picture, words::TITLE_ENTRY, title).await? else {
+            return Ok(false);
+        };
+        let caption = line_entry(LONGEST_CAPTION, Accepts::Text);
+        let Some(caption) = self.type_line(picture, words::CAPTION_ENTRY, caption).await? else {
+            return Ok(false);
+        };
+        let question = Question::new(TOP, words::ASK_AXES, [words::YES, words::NO]).choices();
+        let Some(answer) = self.choose_or(picture, &question, Some(0)).await? else { return Ok(false) };
+        if !title.trim().is_empty() {
+            figure.set_title(title);
+        }
+        if !caption.trim().is_empty() {
+            figure.set_caption(caption);
+        }
+        match answer {
+            // A picture of space has axes of its own.
+            0 => figure.set_axes(figure.axes().unwrap_or(Axes::Plane)),
+            _ => figure.clear_axes(),
+        }
+        Ok(true)
+    }
+
+    /// Asks for a name that is free, or shall be overwritten; `None` is Esc.
+    async fn ask_name(&mut self, picture: &dyn Picture, extension: &str) -> Result<Option<String>, Quit> {
+        let mut proposal = free_name(self.machine.storage(), self.manual.name, extension);
+        loop {
+            let stem = stem(&proposal).to_string();
+            let Some(name) = self.file_name_or(picture, extension, &stem).await? else { return Ok(None) };
+            if self.machine.storage().find(&name).is_none() {
+                return Ok(Some(name));
+            }
+            match self.ask(picture, &Question::yes_no(words::exists(&name))).await? {
+                Some(super::Answer::First) => return Ok(Some(name)),
+                Some(super::Answer::Second) => proposal = name,
+                None => return Ok(None),
+            }
+        }
+    }
+
+    /// The title that is proposed: the name of the file that is worked on, else that of the program.
+    fn title(&self) -> String {
+        stem(self.machine.file_name().unwrap_or(self.manual.name)).to_uppercase()
+    }
+
+    /// The key F12: saves the screen as a PNG under the first free name and says so.
+    pub(super) fn keep_picture(&mut self) {
+        match self.save_picture() {
+            Ok(name) => self.tell(words::picture_saved(&name), Stay::Briefly),
+            Err(problem) => self.tell(problem, Stay::UntilRead),
+        }
+    }
+
+    fn save_picture(&mut self) -> Result<String, Phrase> {
+        let picture = screen_png(self.machine.screen()).map_err(|error| words::plain(&error))?;
+        let name = free_name(self.machine.storage(), self.manual.name, "png");
+        let written = self.machine.storage().write(&name, &picture);
+        written.map_err(|error| words::storage_problem(&error))?;
+        Ok(name)
+    }
+
+    /// The key Ctrl+F12: begins a film, or ends the one that is being made.
+    pub(super) fn switch_film(&mut self) {
+        if self.machine.film_end().is_some() {
+            return self.end_film(Stay::Briefly);
+        }
+        match self.machine.start_film(self.manual.name) {
+            Ok(()) => {
+                let name = free_name(self.machine.storage(), self.manual.name, "gif");
+                self.tell_off_film(words::film_begun(&name), Stay::Briefly);
+            }
+            Err(error) => self.tell(words::storage_problem(&error), Stay::UntilRead),
+        }
+    }
+
+    /// Ends and saves the film, and says so; for as long as read if it ends by itself.
+    pub(super) fn end_film(&mut self, stay: Stay) {
+        match (self.machine.stop_film(), stay) {
+            (Ok(Some(name)), Stay::Briefly) => self.tell(words::film_saved(&name), stay),
+            (Ok(Some(name)), Stay::UntilRead) => self.tell(words::film_full(&name), stay),
+            (Ok(None), _) => {}
+            (Err(error), _) => self.tell(words::storage_problem(&error), Stay::UntilRead),
+        }
+    }
+
+    /// Shows the screen to the film; one that fails is over.
+    pub(super) fn film_screen(&mut self) {
+        if let Err(error) = self.machine.film_screen() {
+            // What there is of it is saved all the same.
+            let _ = self.machine.stop_film();
+            self.tell(words::storage_problem(&error), Stay::UntilRead);
+        }
+    }
+}
+
+/// A line in the window of the page at the top.
+fn line_entry(longest: usize, accepts: Accepts) -> Entry {
+    let (x, y) = TOP;
+    Entry::new(Area::new(x + 6, y + 19, x + 234, y + 33), (x + 12, y + 23), longest, accepts)
+}
+
+/// A name without its extension.
+fn stem(name: &str) -> &str {
+    name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+}
+
+impl Content {
+    /// The widths of its PNG in pixels.
+    fn widths(&self) -> RangeInclusive<i32> {
+        let pixels = |width: u32| i32::try_from(width).unwrap_or(i32::MAX);
+        match self {
+            Content::Figure(_) => pixels(SMALLEST_WIDTH)..=pixels(LARGEST_WIDTH),
+            Content::Screen(_) => WIDTH..=WIDTH.saturating_mul(pixels(LARGEST_SCALE)),
+        }
+    }
+
+    /// The file, of so many pixels' width if it is a PNG; a screen is enlarged by a whole number.
+    fn encode(&self, kind: Kind, width: u32) -> Result<Vec<u8>, FigureError> {
+        match (self, kind) {
+            (Content::Figure(figure), Kind::Svg) => figure.to_svg().map(String::into_bytes),
+            (Content::Figure(figure), Kind::Png) => figure.to_png(width),
+            (Content::Figure(figure), Kind::Pdf) => figure.to_pdf(),
+            (Content::Screen(screen), Kind::Svg) => Ok(screen_svg(screen).into_bytes()),
+            (Content::Screen(screen), Kind::Png) => {
+                let once = WIDTH.unsigned_abs();
+                screen_png_of_scale(screen, (width + once / 2) / once)
+            }
+            (Content::Screen(screen), Kind::Pdf) => Ok(screen_pdf(screen)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::Words;
+
+    #[test]
+    fn titles_fit_on_the_page() {
+        let entries = [words::WIDTH_ENTRY, words::TITLE_ENTRY, words::CAPTION_ENTRY];
+        for Words(hungarian, english) in [words::ASK_KIND, words::ASK_AXES].into_iter().chain(entries) {
+            assert!(hungarian.chars().count() <= 28 && english.chars().count() <= 28, "{hungarian}");
+        }
+    }
+
+    #[test]
+    fn names_lose_their_extension() {
+        assert_eq!((stem("SIX.IP2"), stem("gb_2d_ip"), stem("a.b.svg")), ("SIX", "gb_2d_ip", "a.b"));
+    }
+}
