@@ -23,10 +23,12 @@
 //! ```
 
 mod event;
+mod files;
 #[cfg(feature = "native")]
 mod folder;
 mod port;
 mod record;
+mod recovery;
 mod samples;
 mod script;
 mod session;
@@ -37,10 +39,14 @@ pub mod terminal;
 pub mod window;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
+pub use files::{Files, Standing};
 #[cfg(feature = "native")]
 pub use folder::{Folder, write_safely};
 pub use port::Wait;
 pub use record::Recorder;
+pub use recovery::{Lost, Recovery, Verdict, Work};
+#[cfg(feature = "native")]
+pub use recovery::{Offers, RecoveryFolder, state_folder};
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
@@ -132,7 +138,9 @@ impl Default for Settings {
 pub struct Machine {
     port: Rc<RefCell<Port>>,
     screen: Box<Screen>,
-    storage: Box<dyn Storage>,
+    files: Files,
+    recovery: Option<Box<dyn Recovery>>,
+    file: Option<String>,
     seed: u64,
 }
 
@@ -152,9 +160,17 @@ impl Machine {
         Machine {
             port: Rc::new(RefCell::new(port)),
             screen: Box::new(Screen::new()),
-            storage,
+            files: Files::new(storage),
+            recovery: None,
+            file: None,
             seed: settings.seed,
         }
+    }
+
+    /// The machine with a place where unsaved work is safe from a crash; without one nothing is kept.
+    #[must_use]
+    pub fn with_recovery(self, recovery: impl Recovery + 'static) -> Machine {
+        Machine { recovery: Some(Box::new(recovery)), ..self }
     }
 
     fn port(&self) -> Rc<RefCell<Port>> {
@@ -168,7 +184,27 @@ impl Machine {
 
     /// Where files are read and written.
     pub fn storage(&mut self) -> &mut dyn Storage {
-        &mut *self.storage
+        &mut self.files
+    }
+
+    /// The same files, with what this program knows of them.
+    pub fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// Where unsaved work is kept, if it is.
+    pub fn recovery(&mut self) -> Option<&mut (dyn Recovery + 'static)> {
+        self.recovery.as_deref_mut()
+    }
+
+    /// The name of the file that the program's work was read from or saved in last.
+    pub fn file(&self) -> Option<&str> {
+        self.file.as_deref()
+    }
+
+    /// Notes which file the program's work belongs to from now on.
+    pub fn set_file(&mut self, name: Option<String>) {
+        self.file = name;
     }
 
     /// Where random numbers start from (`--seed`).

@@ -60,6 +60,11 @@ impl<'m> Desk<'m> {
         Desk { machine, manual, notice: None, away: Duration::ZERO }
     }
 
+    /// The name of the program that works here.
+    pub fn program(&self) -> &'static str {
+        self.manual.name
+    }
+
     /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
     /// (language) and F12 (picture of the screen) are dealt with here.
     ///
