@@ -29,7 +29,7 @@ use common::{Kept, pictures};
 use grafika::file::{Document, Format};
 use grafika::launch::Program;
 use grafika::machine::{
-    Machine, Memory, Script, Session, Settings, Storage, StorageError, Work, play, sample,
+    Language, Machine, Memory, Script, Session, Settings, Storage, StorageError, Work, play, sample,
 };
 use serde_json::Value;
 use std::cell::RefCell;
@@ -385,10 +385,22 @@ fn broken_work_is_told_once_and_set_aside() {
     let mut window = Window::open(IP, &disk, &shelf);
     assert_eq!(window.x("key I"), 120.0);
     window.assert_picture("safety_broken");
-    window.play("key Ctrl+S\ntype p\nkey Enter\ntype qnni");
-    window.play("key F2").assert_picture("safety_broken_later");
+    // The older one is told of when it comes to it.
+    window.play("key Ctrl+S\ntype p\nkey Enter\ntype qnni").assert_picture("safety_broken_later");
     let broken: Vec<Item> = shelf.items().into_iter().filter(|item| item.broken).collect();
     assert_eq!((broken.len(), shelf.items().len()), (2, 2));
+}
+
+#[test]
+fn broken_work_is_told_in_one_message() {
+    let shelf = Shelf::default();
+    for _ in 0..3 {
+        shelf.put(Err("it is no text".to_string()));
+    }
+    let settings = Settings { language: Language::English, ..Settings::default() };
+    let machine = Machine::new(Box::new(Memory::default()), settings).with_recovery(shelf.slot());
+    let session = Session::start(machine, |mut machine| async move { (IP.run)(&mut machine, None).await });
+    Window { session, kept: Kept::default() }.assert_picture("safety_broken_english");
 }
 
 #[test]
