@@ -4,10 +4,11 @@ use super::game::Game;
 use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
-use grafika::editor::History;
-use grafika::machine::{Button, Event, Key, Machine, Quit, StorageProblem, Tick};
+use grafika::editor::{History, rescue};
+use grafika::machine::{Button, Event, Key, Language, Machine, Quit, StorageProblem, Tick};
+use grafika::screen::Screen;
 use grafika::table::{Surface, Table};
-use grafika::ui::{Answer, Desk, Manual, Phrase, Question, Stay, Way, words};
+use grafika::ui::{Answer, Desk, Manual, Phrase, Picture, Question, Stay, Way, words};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -62,21 +63,65 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Result<(), Qui
         spin: 0,
     };
     let mut desk = Desk::new(machine, manual);
-    loop {
+    desk.machine.set_file(None);
+    if rescue::offer(&mut player, &mut desk, Player::take_up, Player::put_down).await? {
+        player.games.mark_unsaved();
+    }
+    let ended = loop {
         match player.play(&mut desk).await {
-            Ok(()) => return Ok(()),
-            Err(Quit) if player.may_close(&mut desk).await => return Err(Quit),
+            Ok(()) => break Ok(()),
+            Err(Quit) if player.may_close(&mut desk).await => break Err(Quit),
             Err(Quit) => {}
         }
+    };
+    rescue::forget(&mut desk);
+    ended
+}
+
+/// The picture of a table at rest.
+impl Picture for Player {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        self.view(Duration::ZERO).draw(screen, language);
     }
 }
 
 impl Player {
+    /// Takes up a game that an earlier session has lost.
+    fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
+        self.games = History::new(Game::read(work.as_bytes()).map_err(|why| Phrase::plain(&why))?);
+        Ok(())
+    }
+
+    fn put_down(&mut self) {
+        self.games = History::new(Game::new());
+    }
+
+    /// Keeps the game as long as it is unsaved; a shot in motion as it will end.
+    fn keep(&mut self, desk: &mut Desk<'_>) {
+        if self.games.take_touched() {
+            rescue::keep(desk, || {
+                let game = self.outcome();
+                let unsaved = game.points.is_some() && self.games.differs(&game);
+                unsaved.then(|| serde_json::to_string(&game).map_err(|error| Phrase::plain(&error)))
+            });
+        }
+        rescue::tell_problem(desk);
+    }
+
+    /// The game when the balls have come to rest.
+    fn outcome(&self) -> Game {
+        match &self.rolling {
+            Some(rolling) if rolling.pace == Pace::Full => rolling.outcome(self.games.now()),
+            _ => self.games.now().clone(),
+        }
+    }
+
     /// Plays until the player asks for the end.
     async fn play(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
         loop {
             let now = desk.machine.now();
             self.let_roll(now);
+            self.keep(desk);
             desk.machine.publish(self.model());
             let view = self.view(now);
             let tick = match &self.rolling {
@@ -128,10 +173,8 @@ impl Player {
     }
 
     fn come_to_rest(&mut self) {
-        let Some(mut rolling) = self.rolling.take() else { return };
-        rolling.finish();
-        if rolling.pace == Pace::Full {
-            let after = self.games.now().after(rolling.shot, &rolling.table, &rolling.touched);
+        let after = self.outcome();
+        if self.rolling.take().is_some_and(|rolling| rolling.pace == Pace::Full) {
             self.games.change(after);
         }
     }
@@ -169,6 +212,7 @@ impl Player {
         // A ghost brought back onto the ball's centre is no shot.
         if let Some(shot) = shot.filter(|shot| shot.velocity != [0.0, 0.0]) {
             self.rolling = Rolling::start(shot, Pace::Full, now);
+            self.games.touch();
             self.spin = 0;
         }
     }
@@ -220,6 +264,7 @@ impl Player {
     fn undo(&mut self, desk: &mut Desk<'_>) {
         self.grip = None;
         let stopped = self.rolling.take().is_some_and(|rolling| rolling.pace == Pace::Full);
+        self.games.touch();
         if !stopped && !self.games.undo() {
             desk.tell(words::NO_MORE, Stay::Briefly);
         }
@@ -299,11 +344,12 @@ impl Player {
     async fn save(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
         let view = self.settle(desk);
         let Some(name) = desk.file_name(&view, EXTENSION, Way::Save).await? else { return Ok(false) };
-        if desk.machine.storage().find(&name).is_some() && !desk.yes(&view, words::exists(&name)).await? {
+        if !desk.may_write(&view, &[&name]).await? {
             return Ok(false);
         }
         match store(self.games.now(), desk, &name) {
             Ok(()) => {
+                desk.machine.set_file(Some(name));
                 self.games.mark_saved();
                 desk.tell(texts::SAVED, Stay::Briefly);
                 Ok(true)
@@ -321,6 +367,7 @@ impl Player {
         let Some(name) = desk.file_name(&view, EXTENSION, Way::Load).await? else { return Ok(()) };
         match read(desk, &name) {
             Ok(game) => {
+                desk.machine.set_file(Some(name));
                 self.games.change(game);
                 self.games.mark_saved();
             }

@@ -1,6 +1,6 @@
 //! Balls in motion: the table's steps against the clock.
 
-use super::game::{Shot, Touched};
+use super::game::{Game, Shot, Touched};
 use grafika::machine::FRAMES_PER_SECOND;
 use grafika::table::{STEP, Table};
 use std::time::Duration;
@@ -28,6 +28,7 @@ impl Pace {
 
 /// A shot whose balls have not come to rest yet. Steps are made when their time has come, whenever that is
 /// noticed, so that the motion is the same at any rate of pictures.
+#[derive(Clone)]
 pub(crate) struct Rolling {
     pub(crate) shot: Shot,
     pub(crate) pace: Pace,
@@ -53,11 +54,13 @@ impl Rolling {
         self.table.at_rest()
     }
 
-    /// Makes all steps until the balls rest.
-    pub(crate) fn finish(&mut self) {
-        while !self.table.at_rest() {
-            self.step();
+    /// The game that the shot leads to, from the one it was made in.
+    pub(crate) fn outcome(&self, game: &Game) -> Game {
+        let mut ahead = self.clone();
+        while !ahead.table.at_rest() {
+            ahead.step();
         }
+        game.after(ahead.shot, &ahead.table, &ahead.touched)
     }
 
     fn step(&mut self) {

@@ -13,7 +13,7 @@ use grafika::machine::{Button, Event, FRAMES_PER_SECOND, Key, Language, Machine,
 use grafika::puzzle::cube::{Action, Move, PIECES, Rules};
 use grafika::screen::{Color, Screen};
 use grafika::ui::{Desk, Manual, Phrase, Picture, Stay, Stopwatch};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
 /// Time within which a second digit belongs to the first.
@@ -24,6 +24,15 @@ const TRIES: u32 = 2000;
 /// What undo takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Play {
+    cube: CsangoCube,
+    moves: u32,
+}
+
+/// A game as it is kept while it is unsaved.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Work {
+    first: CsangoCube,
     cube: CsangoCube,
     moves: u32,
 }
@@ -143,6 +152,7 @@ impl Player {
     /// Waits for what happens next, with the picture up to date.
     async fn tick(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
         self.now = desk.clock();
+        configuration::keep(self, desk);
         desk.machine.publish(self.model());
         let second = self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0);
         let tick = match (&self.task, second) {
@@ -375,6 +385,23 @@ impl Configuration for Player {
 
     fn document(&self) -> Document {
         Document::CsangoCube(self.plays.now().cube)
+    }
+
+    fn unsaved_work(&self) -> Result<String, Phrase> {
+        let Play { cube, moves } = *self.plays.now();
+        let work = Work { first: self.first, cube, moves };
+        serde_json::to_string(&work).map_err(|error| Phrase::plain(&error))
+    }
+
+    fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
+        let Work { first, cube, moves } =
+            serde_json::from_str(work).map_err(|error| Phrase::plain(&error))?;
+        for cube in [first, cube] {
+            Document::CsangoCube(cube).check().map_err(|error| Phrase::plain(&error))?;
+        }
+        self.first = first;
+        self.plays = History::new(Play { cube, moves });
+        Ok(())
     }
 
     fn model(&self) -> impl Serialize + 'static {

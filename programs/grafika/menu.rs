@@ -87,7 +87,7 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
             }
         };
         menu.chosen = chosen;
-        machine.set_file_name(None);
+        machine.set_file(None);
         (PROGRAMS[chosen].run)(machine, None).await?;
     }
 }

@@ -4,10 +4,10 @@ use super::texts;
 use grafika::file::Document;
 use grafika::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
 use grafika::ui::Phrase;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A problem that can be made again from its number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Problem {
     pub(crate) difficulty: Difficulty,
     pub(crate) number: u64,
@@ -24,6 +24,16 @@ pub(crate) struct Game {
     /// The problem it began with.
     #[serde(skip)]
     pub(crate) problem: Option<Problem>,
+}
+
+/// A game as it is kept while it is unsaved.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Work {
+    start: Wheel,
+    wheel: Wheel,
+    moves: u32,
+    problem: Option<Problem>,
 }
 
 impl Game {
@@ -45,6 +55,25 @@ impl Game {
     pub(crate) fn of(document: &Document) -> Result<Game, Phrase> {
         let Document::BeadWheel(wheel) = document else { return Err(texts::NO_WHEEL.into()) };
         Wheel::try_from(wheel).map(Game::from).map_err(|error| Phrase::plain(&error))
+    }
+
+    /// The whole game as text, also what a file does not hold.
+    ///
+    /// # Errors
+    /// What cannot be written.
+    pub(crate) fn to_work(&self) -> Result<String, Phrase> {
+        let Game { start, wheel, moves, problem } = *self;
+        serde_json::to_string(&Work { start, wheel, moves, problem }).map_err(|error| Phrase::plain(&error))
+    }
+
+    /// The game in such a text.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub(crate) fn from_work(text: &str) -> Result<Game, Phrase> {
+        let work: Work = serde_json::from_str(text).map_err(|error| Phrase::plain(&error))?;
+        let Work { start, wheel, moves, problem } = work;
+        Ok(Game { start, wheel, moves, problem })
     }
 
     /// The game after a move, if it is possible.

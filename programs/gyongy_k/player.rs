@@ -122,6 +122,18 @@ impl Configuration for Player {
         Document::BeadWheel(BeadWheel::from(&self.games.now().wheel))
     }
 
+    fn unsaved_work(&self) -> Result<String, Phrase> {
+        self.games.now().to_work()
+    }
+
+    fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
+        let buttons = self.buttons;
+        self.begin(Game::from_work(work)?);
+        // They come up when the work goes on.
+        self.buttons = buttons;
+        Ok(())
+    }
+
     fn model(&self) -> impl Serialize + 'static {
         let game = self.games.now().clone();
         Model {
@@ -154,6 +166,7 @@ impl Configuration for Player {
             let problem = Problem { difficulty: Difficulty::Book, number: self.next_number() };
             self.begin(Game::new(problem));
         }
+        self.buttons = true;
         loop {
             let tick = self.wait(desk).await?;
             if let Some(next) = self.react(desk, &tick).await? {
@@ -197,6 +210,7 @@ impl Player {
     /// Shows the picture and waits for an event or for what is due.
     async fn wait(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
         self.now = desk.clock();
+        configuration::keep(self, desk);
         desk.machine.publish(self.model());
         let due = match &self.show {
             Show::Seeking(seeking) => Some(seeking.due),

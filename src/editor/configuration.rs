@@ -1,7 +1,7 @@
 //! The life of a configuration, the same in every program that edits one: new or stored, worked on,
 //! saved, left. Nothing is lost without having been asked.
 
-use super::History;
+use super::{History, rescue};
 use crate::file::{Document, Format};
 use crate::machine::{Key, Quit, Storage, StorageProblem};
 use crate::ui::words::{self, Phrase};
@@ -66,6 +66,22 @@ pub trait Configuration: Picture {
     /// [`Quit`] when the display is being closed.
     fn work(&mut self, desk: &mut Desk<'_>) -> impl Future<Output = Result<Next, Quit>>;
 
+    /// The whole configuration as text, also what its files cannot hold: what is kept while it is unsaved.
+    ///
+    /// # Errors
+    /// What cannot be written.
+    fn unsaved_work(&self) -> Result<String, Phrase> {
+        self.document().to_json().map_err(|error| words::plain(&error))
+    }
+
+    /// Takes up what [`Configuration::unsaved_work`] has written.
+    ///
+    /// # Errors
+    /// Why it is no such work; the configuration is the one before then.
+    fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
+        self.open(&Document::from_json(work).map_err(|error| words::plain(&error))?)
+    }
+
     /// Reads a stored configuration.
     ///
     /// # Errors
@@ -93,7 +109,8 @@ pub(super) fn read_document(storage: &dyn Storage, name: &str, format: Format) -
     Document::read(format, &content).map_err(|error| words::in_file(name, &error))
 }
 
-/// Runs a program that edits configurations, with a document that was named at the start or none.
+/// Runs a program that edits configurations, with a document that was named at the start or none. Work that
+/// an earlier session has lost is offered first.
 ///
 /// # Errors
 /// [`Quit`] when the display is being closed and nothing is left to save.
@@ -102,35 +119,84 @@ pub async fn run<C: Configuration>(
     desk: &mut Desk<'_>,
     document: Option<Document>,
 ) -> Result<(), Quit> {
-    let mut next = match document.map(|document| state.open(&document)) {
-        Some(Ok(())) => Next::Work,
-        Some(Err(problem)) => {
-            desk.tell(problem, Stay::UntilRead);
-            Next::Restart
-        }
+    let ended = live(&mut state, desk, document).await;
+    // Here the user has been asked whatever was to be asked; whoever breaks off does not come here.
+    rescue::forget(desk);
+    ended
+}
+
+async fn live<C: Configuration>(
+    state: &mut C,
+    desk: &mut Desk<'_>,
+    document: Option<Document>,
+) -> Result<(), Quit> {
+    let mut next = match document {
+        Some(document) => begin_with(state, desk, &document).await?,
         None => Next::Restart,
     };
     loop {
         let step = match next {
-            Next::Restart => start(&mut state, desk).await.map(|()| Next::Work),
+            Next::Restart => start(state, desk).await.map(|()| Next::Work),
             Next::Work => state.work(desk).await,
             Next::End => return Ok(()),
         };
         next = match step {
             Ok(next) => next,
-            Err(Quit) if may_close(&mut state, desk).await => return Err(Quit),
+            Err(Quit) if may_close(state, desk).await => return Err(Quit),
             Err(Quit) => Next::Work,
         };
     }
 }
 
-/// Shows the program's picture and sleeps until something happens.
+/// Takes up lost work, or else the document.
+async fn begin_with<C: Configuration>(
+    state: &mut C,
+    desk: &mut Desk<'_>,
+    document: &Document,
+) -> Result<Next, Quit> {
+    if offer_lost(state, desk).await? {
+        return Ok(Next::Work);
+    }
+    match state.open(document) {
+        Ok(()) => Ok(Next::Work),
+        Err(problem) => {
+            desk.tell(problem, Stay::UntilRead);
+            Ok(Next::Restart)
+        }
+    }
+}
+
+/// Offers lost work; whether some was taken up, as unsaved as it is.
+async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    let taken = rescue::offer(state, desk, C::take_up, C::reset).await?;
+    if taken {
+        state.history().mark_unsaved();
+        keep(state, desk);
+    }
+    Ok(taken)
+}
+
+/// Keeps the configuration as long as it is unsaved. To be called when it may have changed, before the
+/// program waits: [`event`] does it.
+pub fn keep<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) {
+    if state.history().take_touched() {
+        let unsaved = state.history().unsaved();
+        rescue::keep(desk, || unsaved.then(|| state.unsaved_work()));
+    }
+    rescue::tell_problem(desk);
+}
+
+/// Keeps unsaved work, shows the program's picture and sleeps until something happens.
 ///
 /// # Errors
 /// [`Quit`] when the display is being closed.
-pub async fn event<C: Configuration>(state: &C, desk: &mut Desk<'_>) -> Result<crate::machine::Tick, Quit> {
+pub async fn event<C: Configuration>(
+    state: &mut C,
+    desk: &mut Desk<'_>,
+) -> Result<crate::machine::Tick, Quit> {
+    keep(state, desk);
     desk.machine.publish(state.model());
-    desk.event(state).await
+    desk.event(&*state).await
 }
 
 /// Carries out the keys that mean the same in every editor: undo, redo, save. Whether it was one.
@@ -160,7 +226,11 @@ pub async fn common_key<C: Configuration>(
 /// Asks for a new or a stored configuration until there is one.
 async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(), Quit> {
     state.reset();
-    desk.machine.set_file_name(None);
+    desk.machine.set_file(None);
+    keep(state, desk);
+    if offer_lost(state, desk).await? {
+        return Ok(());
+    }
     desk.machine.publish(state.model());
     if state.ask_first(desk).await? {
         return Ok(());
@@ -175,7 +245,7 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
         let Some(name) = name else { continue };
         match state.read(desk.machine.storage(), &name) {
             Ok(()) => {
-                desk.machine.set_file_name(Some(name));
+                desk.machine.set_file(Some(name));
                 return Ok(());
             }
             Err(problem) => desk.tell(problem, Stay::Briefly),
@@ -187,13 +257,21 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
 async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
     let name = desk.file_name(&*state, state.extension(), Way::Save).await?;
     let Some(name) = name else { return Ok(false) };
-    if desk.machine.storage().find(&name).is_some() && !desk.yes(&*state, words::exists(&name)).await? {
-        return Ok(false);
-    }
-    match store(state, desk.machine.storage(), &name) {
+    let stored = match state.files(&name) {
+        Ok(files) => {
+            let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+            if !desk.may_write(&*state, &names).await? {
+                return Ok(false);
+            }
+            store(&files, desk.machine.storage())
+        }
+        Err(problem) => Err(problem),
+    };
+    match stored {
         Ok(()) => {
+            desk.machine.set_file(Some(name));
             state.history().mark_saved();
-            desk.machine.set_file_name(Some(name));
+            keep(state, desk);
             Ok(true)
         }
         Err(problem) => {
@@ -203,9 +281,9 @@ async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bo
     }
 }
 
-fn store<C: Configuration>(state: &C, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-    for (name, content) in state.files(name)? {
-        storage.write(&name, &content).map_err(|error| words::storage_problem(&error))?;
+fn store(files: &[(String, Vec<u8>)], storage: &mut dyn Storage) -> Result<(), Phrase> {
+    for (name, content) in files {
+        storage.write(name, content).map_err(|error| words::storage_problem(&error))?;
     }
     Ok(())
 }

@@ -9,13 +9,22 @@ pub struct History<T> {
     past: Vec<T>,
     now: T,
     future: Vec<T>,
-    saved: T,
+    /// The value that needs no saving, if there is one.
+    saved: Option<T>,
+    /// Whether the present value or the saved one has become another since somebody last asked.
+    touched: bool,
 }
 
 impl<T: Clone + PartialEq> History<T> {
     /// A history that starts with a value that needs no saving.
     pub fn new(value: T) -> History<T> {
-        History { past: Vec::new(), saved: value.clone(), now: value, future: Vec::new() }
+        History {
+            past: Vec::new(),
+            saved: Some(value.clone()),
+            now: value,
+            future: Vec::new(),
+            touched: true,
+        }
     }
 
     /// The value as it is now.
@@ -28,27 +37,53 @@ impl<T: Clone + PartialEq> History<T> {
         if value != self.now {
             self.past.push(std::mem::replace(&mut self.now, value));
             self.future.clear();
+            self.touched = true;
         }
     }
 
     /// Goes one change back; whether there was one.
     pub fn undo(&mut self) -> bool {
+        self.touched = true;
         step(&mut self.past, &mut self.now, &mut self.future)
     }
 
     /// Takes one undone change up again; whether there was one.
     pub fn redo(&mut self) -> bool {
+        self.touched = true;
         step(&mut self.future, &mut self.now, &mut self.past)
     }
 
     /// Notes that the present value has been saved.
     pub fn mark_saved(&mut self) {
-        self.saved = self.now.clone();
+        self.saved = Some(self.now.clone());
+        self.touched = true;
+    }
+
+    /// Notes that neither the present value nor any other has been saved.
+    pub fn mark_unsaved(&mut self) {
+        self.saved = None;
+        self.touched = true;
     }
 
     /// Whether the present value differs from the one saved last.
     pub fn unsaved(&self) -> bool {
-        self.now != self.saved
+        self.differs(&self.now)
+    }
+
+    /// Whether a value differs from the one saved last.
+    pub fn differs(&self, value: &T) -> bool {
+        self.saved.as_ref() != Some(value)
+    }
+
+    /// Whether anything may have become different since this was last asked: who keeps copies of the value
+    /// need not compare it after every event.
+    pub fn take_touched(&mut self) -> bool {
+        std::mem::take(&mut self.touched)
+    }
+
+    /// Lets the next [`History::take_touched`] be true, where more belongs to a copy than the value.
+    pub fn touch(&mut self) {
+        self.touched = true;
     }
 }
 
@@ -76,6 +111,26 @@ mod tests {
         assert_eq!(*history.now(), 7);
         assert!(history.undo() && history.undo() && history.undo() && !history.undo());
         assert!(!history.unsaved());
+    }
+
+    #[test]
+    fn every_change_touches_and_nothing_else() {
+        let mut history = History::new(0);
+        assert!(history.take_touched() && !history.take_touched());
+        history.change(0);
+        assert!(!history.take_touched());
+        let changes: [fn(&mut History<i32>); 5] = [
+            |history| history.change(1),
+            |history| history.mark_saved(),
+            |history| history.mark_unsaved(),
+            |history| assert!(history.undo()),
+            |history| assert!(history.redo()),
+        ];
+        for change in changes {
+            change(&mut history);
+            assert!(history.take_touched() && !history.take_touched());
+        }
+        assert!(history.unsaved());
     }
 
     proptest! {

@@ -18,6 +18,7 @@ pub mod net;
 mod place;
 pub mod plane;
 mod points;
+pub mod rescue;
 pub mod space;
 mod stage;
 

@@ -11,6 +11,7 @@ mod outlet;
 
 pub use failure::{Failure, exit};
 pub use open::{Opened, kind_of, open};
+use open::{folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::write_output;
 
@@ -20,7 +21,6 @@ use crate::ui::{Manual, Phrase};
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
 use std::future::Future;
-use std::path::Path;
 use std::pin::Pin;
 use std::process::ExitCode;
 
@@ -70,19 +70,18 @@ impl Program {
     /// # Errors
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
-        let opened = options.file.as_deref().map(open).transpose()?;
+        let path = options.file.as_deref();
+        let mut machine = options.run.machine(path.map(folder_of).unwrap_or_default());
+        // Through the machine's own storage, which remembers what was read.
+        let opened = path.map(|path| open_in(machine.storage(), path)).transpose()?;
         if let Some(opened) = &opened {
             (self.check)(&opened.document).map_err(|problem| {
                 Failure::work(format!("{}: {}", opened.name, problem.of(Language::English)))
             })?;
         }
-        let name = options.file.as_deref().and_then(Path::file_name);
-        let name = name.map(|name| name.to_string_lossy().into_owned());
-        let folder = opened.as_ref().map(|opened| opened.folder.clone()).unwrap_or_default();
+        machine.set_file(opened.as_ref().map(|opened| opened.file_name.clone()));
         let document = opened.map(|opened| opened.document);
         let run = self.run;
-        let mut machine = options.run.machine(folder);
-        machine.set_file_name(name);
         let session =
             Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
         display::show(session, self.manual.name, &options.run)

@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 pub struct Opened {
     /// The name as it was given.
     pub name: String,
+    /// The name without the folder.
+    pub file_name: String,
     /// The folder it lies in, where the program will save.
     pub folder: PathBuf,
     /// What it holds.
@@ -23,12 +25,21 @@ pub struct Opened {
 /// # Errors
 /// [`Failure`] with the name and what is wrong: no such file, an unknown extension, a wrong content.
 pub fn open(path: &Path) -> Result<Opened, Failure> {
+    open_in(&Folder::new(folder_of(path)), path)
+}
+
+/// The folder of a path.
+pub(super) fn folder_of(path: &Path) -> PathBuf {
+    path.parent().map(Path::to_path_buf).unwrap_or_default()
+}
+
+/// Opens a data file by its path, through the storage of its folder.
+pub(super) fn open_in(storage: &dyn Storage, path: &Path) -> Result<Opened, Failure> {
     let name = path.display().to_string();
     let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else {
         return Err(Failure::work(format!("{name:?} is not the name of a file")));
     };
-    let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    let storage = Folder::new(&folder);
+    let folder = folder_of(path);
     let bare = folder.as_os_str().is_empty();
     if !bare && storage.find(file_name).is_none() {
         return Err(Failure::work(format!("{name}: there is no such file")));
@@ -39,8 +50,8 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
     })?;
     let document = Document::decode(kind_of(path)?, &content)
         .map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
-    let document = with_twin(document, &storage, file_name);
-    Ok(Opened { name, folder, document })
+    let document = with_twin(document, storage, file_name);
+    Ok(Opened { name, file_name: file_name.to_string(), folder, document })
 }
 
 /// The kind of a file by its name.

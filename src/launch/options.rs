@@ -1,6 +1,6 @@
 //! The options that every program takes.
 
-use crate::machine::{Folder, Language, Machine, Settings};
+use crate::machine::{Folder, Language, Machine, Offers, RecoveryFolder, Settings, state_folder};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -71,10 +71,23 @@ impl RunOptions {
         Options { file, run: self.clone() }
     }
 
-    /// A machine as these options set it, with a folder for its files.
+    /// A machine as these options set it, with a folder for its files. A script has nothing to lose, and is
+    /// to give the same every time; a recorded session keeps its work, but a question about an earlier one
+    /// would not come again when it is replayed.
     pub(super) fn machine(&self, folder: PathBuf) -> Machine {
         let seed = self.seed.unwrap_or(Settings::default().seed);
-        Machine::new(Box::new(Folder::new(folder)), Settings { language: self.language(), seed })
+        let settings = Settings { language: self.language(), seed };
+        let recovery = || {
+            let offers = if self.record.is_some() { Offers::Nothing } else { Offers::Lost };
+            RecoveryFolder::new(state_folder(), &folder, offers)
+        };
+        let live = self.script.is_none() && self.display != Some(DisplayKind::None);
+        let recovery = live.then(recovery);
+        let machine = Machine::new(Box::new(Folder::new(folder)), settings);
+        match recovery {
+            Some(recovery) => machine.with_recovery(recovery),
+            None => machine,
+        }
     }
 }
 

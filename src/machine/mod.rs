@@ -23,11 +23,13 @@
 //! ```
 
 mod event;
+mod files;
 mod film;
 #[cfg(feature = "native")]
 mod folder;
 mod port;
 mod record;
+mod recovery;
 mod samples;
 mod script;
 mod session;
@@ -38,10 +40,14 @@ pub mod terminal;
 pub mod window;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
+pub use files::{Files, Standing};
 #[cfg(feature = "native")]
 pub use folder::{Folder, write_safely};
 pub use port::Wait;
 pub use record::Recorder;
+pub use recovery::{Lost, Recovery, Verdict, Work};
+#[cfg(feature = "native")]
+pub use recovery::{Offers, RecoveryFolder, state_folder};
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
@@ -134,9 +140,10 @@ impl Default for Settings {
 pub struct Machine {
     port: Rc<RefCell<Port>>,
     screen: Box<Screen>,
-    storage: Box<dyn Storage>,
-    seed: u64,
+    files: Files,
+    recovery: Option<Box<dyn Recovery>>,
     file: Option<String>,
+    seed: u64,
     film: Option<Film>,
 }
 
@@ -158,11 +165,19 @@ impl Machine {
         Machine {
             port: Rc::new(RefCell::new(port)),
             screen: Box::new(Screen::new()),
-            storage,
-            seed: settings.seed,
+            files: Files::new(storage),
+            recovery: None,
             file: None,
+            seed: settings.seed,
             film: None,
         }
+    }
+
+    /// The machine with a place where unsaved work is safe from a crash; without one nothing is kept.
+    #[must_use]
+    pub fn with_recovery(mut self, recovery: impl Recovery + 'static) -> Machine {
+        self.recovery = Some(Box::new(recovery));
+        self
     }
 
     fn port(&self) -> Rc<RefCell<Port>> {
@@ -176,22 +191,32 @@ impl Machine {
 
     /// Where files are read and written.
     pub fn storage(&mut self) -> &mut dyn Storage {
-        &mut *self.storage
+        &mut self.files
+    }
+
+    /// The same files, with what this program knows of them.
+    pub fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// Where unsaved work is kept, if it is.
+    pub fn recovery(&mut self) -> Option<&mut (dyn Recovery + 'static)> {
+        self.recovery.as_deref_mut()
+    }
+
+    /// The name of the file that the program's work was read from or saved in last.
+    pub fn file(&self) -> Option<&str> {
+        self.file.as_deref()
+    }
+
+    /// Notes which file the program's work belongs to from now on.
+    pub fn set_file(&mut self, name: Option<String>) {
+        self.file = name;
     }
 
     /// Where random numbers start from (`--seed`).
     pub fn seed(&self) -> u64 {
         self.seed
-    }
-
-    /// The name of the file that the program works on, if it has one.
-    pub fn file_name(&self) -> Option<&str> {
-        self.file.as_deref()
-    }
-
-    /// Says which file the program works on.
-    pub fn set_file_name(&mut self, name: Option<String>) {
-        self.file = name;
     }
 
     /// Where the mouse is and what it holds.
@@ -298,8 +323,8 @@ impl Machine {
         self.port.borrow_mut().filming = false;
         let program = film.program;
         let content = film.finish(self.now()).map_err(|error| no_film(program, &error))?;
-        let name = free_name(&*self.storage, program, "gif");
-        self.storage.write(&name, &content)?;
+        let name = free_name(self.storage(), program, "gif");
+        self.storage().write(&name, &content)?;
         Ok(Some(name))
     }
 

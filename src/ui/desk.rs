@@ -93,6 +93,11 @@ impl<'m> Desk<'m> {
         Desk { machine, manual, notice: None, away: Duration::ZERO, saving: false }
     }
 
+    /// The name of the program that works here.
+    pub fn program(&self) -> &'static str {
+        self.manual.name
+    }
+
     /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
     /// (language), F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) are dealt with here.
     ///

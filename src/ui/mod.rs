@@ -10,6 +10,7 @@ mod entry;
 mod frame;
 mod lesson;
 mod notice;
+mod overwrite;
 mod save;
 mod stopwatch;
 pub mod words;

@@ -45,12 +45,26 @@ impl Notice {
             screen.text((WIDTH - width) / 2, 220, text, Color::Black);
             return;
         }
-        let mut lines = wrap(text, LONG);
-        lines.truncate(LINES);
-        let height = 16 * i32::try_from(lines.len()).unwrap_or(0) + 8;
-        panel(screen, 88, 256, 464, height);
-        for (row, line) in (0..).zip(&lines) {
-            screen.text(96, 264 + 16 * row, line, Color::Black);
-        }
+        sheet(screen, text, |_| 256);
+    }
+}
+
+/// The lower edge of what is said to a question in the middle of the picture, above its page.
+const ABOVE_QUESTION: i32 = 184;
+
+/// Draws what a question in the middle of the picture is about on a panel above it.
+pub(super) fn preface(screen: &mut Screen, text: &str) {
+    sheet(screen, text, |height| ABOVE_QUESTION - height);
+}
+
+/// Draws a text on a panel as high as it needs, whose upper edge follows from that.
+fn sheet(screen: &mut Screen, text: &str, top: impl Fn(i32) -> i32) {
+    let mut lines = wrap(text, LONG);
+    lines.truncate(LINES);
+    let height = 16 * i32::try_from(lines.len()).unwrap_or(0) + 8;
+    let y = top(height);
+    panel(screen, 88, y, 464, height);
+    for (row, line) in (0..).zip(&lines) {
+        screen.text(96, y + 8 + 16 * row, line, Color::Black);
     }
 }

@@ -159,7 +159,7 @@ impl Desk<'_> {
 
     /// The title that is proposed: the name of the file that is worked on, else that of the program.
     fn title(&self) -> String {
-        stem(self.machine.file_name().unwrap_or(self.manual.name)).to_uppercase()
+        stem(self.machine.file().unwrap_or(self.manual.name)).to_uppercase()
     }
 
     /// The key F12: saves the screen as a PNG under the first free name and says so.

@@ -5,6 +5,7 @@ use crate::file::{FileError, Format};
 use crate::geometry::GeometryError;
 use crate::machine::{Language, StorageError, StorageProblem};
 use std::borrow::Cow;
+use std::time::Duration;
 
 /// A fixed text in Hungarian and in English.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -261,6 +262,74 @@ pub(crate) fn too_many_points(count: usize) -> Phrase {
 /// Whether a file that exists shall be overwritten.
 pub fn exists(name: &str) -> Phrase {
     Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
+}
+
+pub(crate) const ASK_OVERWRITE: Words = Words("          Ráírni ?", "        Overwrite ?");
+
+/// A file that exists is not what the program has read or written.
+pub(crate) fn changed(name: &str) -> Phrase {
+    Phrase::new(
+        format!("{name} időközben megváltozott: más is írta, mióta ez a program olvasta vagy mentette."),
+        format!(
+            "{name} has changed since: something else has written it after this program read or saved it."
+        ),
+    )
+}
+
+// Work of a session that broke off.
+pub(crate) const ASK_TAKE_UP: Words = Words("    Folytatja a munkát ?", "   Go on with that work ?");
+pub(crate) const ASK_GIVE_UP: Words = Words("   Biztosan törölhető ?", "      Really delete it ?");
+pub(crate) const GIVING_UP: Words = Words(
+    "A félbeszakadt munka törlése végleges. Nem vagy Esc: a következő indításkor újra kérdezi.",
+    "To delete the work that broke off is final. No or Esc: asked again at the next start.",
+);
+
+/// There is unsaved work of a program, from a file if it is known, kept so long ago if that is known.
+pub(crate) fn broke_off(program: &str, file: Option<&str>, age: Option<Duration>) -> Phrase {
+    let program = program.to_uppercase();
+    let (hungarian_age, english_age) = age.map_or_else(Default::default, ago);
+    let file = file.map_or((Cow::from("nincs még fileban"), Cow::from("in no file yet")), |file| {
+        (file.to_string().into(), file.to_string().into())
+    });
+    Phrase::new(
+        format!("A {program} mentés nélkül szakadt félbe{hungarian_age}. A munka megvan ({}).", file.0),
+        format!("{program} broke off without saving{english_age}. The work is still there ({}).", file.1),
+    )
+}
+
+/// How long ago something was, behind a sentence.
+fn ago(age: Duration) -> (String, String) {
+    let minutes = age.as_secs() / 60;
+    let (count, hungarian, english) = match minutes {
+        0 => return (" az imént".to_string(), " just now".to_string()),
+        1..60 => (minutes, "perce", "minute"),
+        60..1440 => (minutes / 60, "órája", "hour"),
+        _ => (minutes / 1440, "napja", "day"),
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    (format!(" {count} {hungarian}"), format!(" {count} {english}{plural} ago"))
+}
+
+/// Files of unsaved work that cannot be read were set aside: the name of one, what is wrong with it, and how
+/// many more there are.
+pub(crate) fn broken_work(name: &str, problem: &Phrase, more: usize) -> Phrase {
+    let [hungarian, english] = [Language::Hungarian, Language::English].map(|language| problem.of(language));
+    let (others, and_others) = match more {
+        0 => Default::default(),
+        more => (format!(" És még {more}."), format!(" And {more} more.")),
+    };
+    Phrase::new(
+        format!("Sérült mentetlen munka, .broken néven félretéve: {name}: {hungarian}.{others}"),
+        format!("Broken unsaved work, set aside as .broken: {name}: {english}.{and_others}"),
+    )
+}
+
+/// Unsaved work cannot be kept against a crash.
+pub(crate) fn not_kept(problem: &str) -> Phrase {
+    Phrase::new(
+        format!("A mentetlen munka összeomlás ellen most nem védett: {problem}"),
+        format!("Unsaved work is not safe from a crash now: {problem}"),
+    )
 }
 
 /// What is wrong in a data file. The rarer faults have their sentence in English only.

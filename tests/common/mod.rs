@@ -5,6 +5,7 @@
 pub(crate) mod pictures;
 pub(crate) mod random;
 pub(crate) mod reference;
+pub(crate) mod shelf;
 
 use grafika::figure::screen_png;
 use grafika::launch::Program;

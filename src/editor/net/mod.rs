@@ -207,6 +207,11 @@ impl Configuration for Editor {
         Ok(vec![(name.to_string(), content)])
     }
 
+    fn unsaved_work(&self) -> Result<String, Phrase> {
+        let net = self.history.now().to_file(&self.plan, self.degree, true);
+        Document::Net(net).to_json().map_err(|error| words::plain(&error))
+    }
+
     fn model(&self) -> impl Serialize + 'static {
         let now = self.history.now();
         let view = self.viewer.look.view;

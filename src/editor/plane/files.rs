@@ -17,6 +17,11 @@ pub fn check(document: &Document) -> Result<(), Phrase> {
     drawing_of(document).map(|_| ())
 }
 
+/// Whether a document is drawn as a beta-spline.
+pub(super) fn is_beta(document: &Document) -> bool {
+    matches!(document, Document::PlanePoints(plane) if plane.settings.method == Some(Method::Beta))
+}
+
 fn drawing_of(document: &Document) -> Result<(&PlanePoints, Drawing), Phrase> {
     let Document::PlanePoints(plane) = document else { return Err(words::WRONG_CONTENT.into()) };
     let outside = plane.points.iter().position(|point| !point.fits());
@@ -81,6 +86,28 @@ impl Editor {
         Document::PlanePoints(plane)
     }
 
+    /// Everything that is edited, also what the files of this program have no place for. The method stands for
+    /// the JSON file that belongs to the configuration.
+    pub(super) fn whole(&self) -> PlanePoints {
+        let sketch = self.history.now();
+        let mut plane = PlanePoints::new(sketch.points().to_vec());
+        plane.tangents = sketch.tangents.clone();
+        plane.joints = sketch.joints.clone();
+        plane.settings = CurveSettings {
+            method: self.writes_json().then_some(Method::Beta),
+            k0: Some(self.k0),
+            bias: Some(sketch.shape.bias),
+            tension: Some(sketch.shape.tension),
+            ..CurveSettings::default()
+        };
+        plane
+    }
+
+    /// Whether a JSON file belongs to the configuration.
+    fn writes_json(&self) -> bool {
+        self.tools == Tools::Beta && (self.has_json || self.history.now().joints.is_some())
+    }
+
     /// Reads a stored configuration with its twin.
     pub(super) fn read_files(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
         let document = with_twin(read_document(storage, name, self.tools.format())?, storage, name);
@@ -115,8 +142,7 @@ impl Editor {
             ],
             _ => vec![dos(Format::Ip2, name.to_string())?],
         };
-        let with_json = self.tools == Tools::Beta && (self.has_json || self.history.now().joints.is_some());
-        let json = with_json.then(|| self.json(&twin(name, "JSON"))).transpose()?;
+        let json = self.writes_json().then(|| self.json(&twin(name, "JSON"))).transpose()?;
         Ok(plain.into_iter().chain(json).collect())
     }
 

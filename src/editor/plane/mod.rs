@@ -16,6 +16,7 @@ mod tangents;
 mod tools;
 mod workshop;
 
+use files::is_beta;
 pub use files::{check, with_twin};
 pub use sketch::Sketch;
 pub use tools::Tools;
@@ -138,6 +139,17 @@ impl Configuration for Editor {
         self.as_files(name)
     }
 
+    fn unsaved_work(&self) -> Result<String, Phrase> {
+        Document::PlanePoints(self.whole()).to_json().map_err(|error| words::plain(&error))
+    }
+
+    fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
+        let document = Document::from_json(work).map_err(|error| words::plain(&error))?;
+        self.open_document(&document)?;
+        self.has_json = self.tools == Tools::Beta && is_beta(&document);
+        Ok(())
+    }
+
     fn model(&self) -> impl Serialize + 'static {
         let sketch = self.history.now();
         Model {
@@ -163,6 +175,7 @@ impl Configuration for Editor {
         loop {
             self.stage = Stage::Working;
             if std::mem::take(&mut self.offer_tangents) {
+                configuration::keep(self, desk);
                 self.offer_automatic_tangents(desk).await?;
             }
             let tick = event(self, desk).await?;

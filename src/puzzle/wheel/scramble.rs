@@ -2,9 +2,11 @@
 
 use super::{Move, Wheel, moves::Tail, state::ARMS};
 use crate::puzzle::dice::Dice;
+use serde::{Deserialize, Serialize};
 
 /// How hard a problem is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Difficulty {
     /// The shortest solution has four moves.
     Four,

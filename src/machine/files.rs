@@ -1,0 +1,117 @@
+//! A program's files, with the memory of what it has read and written: a file that somebody else has changed
+//! since is not overwritten unnoticed.
+
+use super::storage::{Storage, StorageError};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// How a name stands before something is written under it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// There is no such file.
+    Free,
+    /// There is one, with this content (`None` if it cannot be read). This program has never seen it, or
+    /// knows it like this.
+    There(Option<Vec<u8>>),
+    /// There is one, and its content is no longer that which this program has read or written last.
+    Changed(Option<Vec<u8>>),
+}
+
+/// A place of files that remembers what went through it. Contents are compared and not times, which copies
+/// and other machines' clocks make worthless.
+pub struct Files {
+    place: Box<dyn Storage>,
+    /// What the program read or wrote last, by the name in lower case.
+    seen: RefCell<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Files {
+    pub(super) fn new(place: Box<dyn Storage>) -> Files {
+        Files { place, seen: RefCell::default() }
+    }
+
+    /// How a name stands.
+    pub fn standing(&self, name: &str) -> Standing {
+        if self.place.find(name).is_none() {
+            return Standing::Free;
+        }
+        let content = self.place.read(name).ok();
+        match self.seen.borrow().get(&name.to_ascii_lowercase()) {
+            Some(seen) if content.as_ref() != Some(seen) => Standing::Changed(content),
+            _ => Standing::There(content),
+        }
+    }
+
+    fn remember(&self, name: &str, content: &[u8]) {
+        self.seen.borrow_mut().insert(name.to_ascii_lowercase(), content.to_vec());
+    }
+}
+
+impl Storage for Files {
+    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
+        let content = self.place.read(name)?;
+        self.remember(name, &content);
+        Ok(content)
+    }
+
+    fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
+        self.place.write(name, content)?;
+        self.remember(name, content);
+        Ok(())
+    }
+
+    fn find(&self, name: &str) -> Option<String> {
+        self.place.find(name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Memory;
+    use std::rc::Rc;
+
+    /// The same memory behind two programs.
+    #[derive(Clone, Default)]
+    struct Shared(Rc<RefCell<Memory>>);
+
+    impl Storage for Shared {
+        fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
+            self.0.borrow().read(name)
+        }
+        fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
+            self.0.borrow_mut().write(name, content)
+        }
+        fn find(&self, name: &str) -> Option<String> {
+            self.0.borrow().find(name)
+        }
+    }
+
+    #[test]
+    fn only_what_others_have_written_is_a_change() {
+        let place = Shared::default();
+        let [mut one, mut other] = [0, 1].map(|_| Files::new(Box::new(place.clone())));
+        assert_eq!(one.standing("P.IP2"), Standing::Free);
+        one.write("P.IP2", b"1").unwrap();
+        assert_eq!(one.standing("p.ip2"), Standing::There(Some(b"1".to_vec())));
+        assert_eq!(other.standing("P.IP2"), Standing::There(Some(b"1".to_vec())));
+        other.write("p.IP2", b"2").unwrap();
+        assert_eq!(one.standing("P.IP2"), Standing::Changed(Some(b"2".to_vec())));
+        // To look is not to read: only the program that has read it knows it.
+        assert_eq!(one.standing("P.IP2"), Standing::Changed(Some(b"2".to_vec())));
+        one.read("P.IP2").unwrap();
+        assert_eq!(one.standing("P.IP2"), Standing::There(Some(b"2".to_vec())));
+        one.write("P.IP2", b"2").unwrap();
+        assert_eq!(other.standing("P.IP2"), Standing::There(Some(b"2".to_vec())), "the same content again");
+    }
+
+    #[test]
+    fn a_sample_is_no_file_but_a_file_in_its_place_is_a_change() {
+        let mut place = Shared::default();
+        let files = Files::new(Box::new(place.clone()));
+        files.read("A.IP2").unwrap();
+        assert_eq!(files.standing("A.IP2"), Standing::Free);
+        place.write("A.IP2", b"mine").unwrap();
+        assert_eq!(files.standing("A.IP2"), Standing::Changed(Some(b"mine".to_vec())));
+    }
+}

@@ -1,0 +1,61 @@
+//! Questions about what would be lost: with the facts above them, and before files are overwritten.
+
+use super::ask::{Answer, Question};
+use super::desk::{Desk, Picture};
+use super::notice;
+use super::words::{self, Phrase, Words};
+use crate::machine::{Language, Quit, Standing};
+use crate::screen::Screen;
+
+impl Desk<'_> {
+    /// Asks a yes-or-no question in the middle of the picture, with what it is about on a panel above it;
+    /// `None` is Esc.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn ask_about(
+        &mut self,
+        picture: &dyn Picture,
+        facts: &Phrase,
+        title: Words,
+    ) -> Result<Option<Answer>, Quit> {
+        let picture = |screen: &mut Screen, language: Language| {
+            picture.draw(screen, language);
+            notice::preface(screen, facts.of(language));
+        };
+        self.ask(&picture, &Question::yes_no(title)).await
+    }
+
+    /// Whether files may be written under these names. Where there are files already, the user decides; that
+    /// one of them is no longer what this program has read or written is said.
+    ///
+    /// # Errors
+    /// [`Quit`] when the display is being closed.
+    pub async fn may_write(&mut self, picture: &dyn Picture, names: &[&str]) -> Result<bool, Quit> {
+        loop {
+            let standings = self.standings(names);
+            let first = |wanted: fn(&Standing) -> bool| {
+                let at = standings.iter().position(wanted)?;
+                names.get(at).copied()
+            };
+            let changed = first(|standing| matches!(standing, Standing::Changed(_)));
+            let there = first(|standing| matches!(standing, Standing::There(_)));
+            let agreed = match (changed, there) {
+                (Some(name), _) => {
+                    let answer = self.ask_about(picture, &words::changed(name), words::ASK_OVERWRITE).await?;
+                    answer == Some(Answer::First)
+                }
+                (None, Some(name)) => self.yes(picture, words::exists(name)).await?,
+                (None, None) => return Ok(true),
+            };
+            // What was agreed to was said of these contents: others may have come while the question stood.
+            if !agreed || self.standings(names) == standings {
+                return Ok(agreed);
+            }
+        }
+    }
+
+    fn standings(&self, names: &[&str]) -> Vec<Standing> {
+        names.iter().map(|name| self.machine.files().standing(name)).collect()
+    }
+}

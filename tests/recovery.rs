@@ -1,0 +1,223 @@
+//! Programs that are killed for real: a Fourier editor in a pseudo-terminal, whose unsaved work must outlive
+//! SIGKILL at any moment.
+#![cfg(all(unix, feature = "terminal"))]
+
+use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// Questions to the terminal end with this one; the answer is that of a terminal without graphics.
+const LAST_QUESTION: &[u8] = b"\x1b[c";
+const PLAIN: &[u8] = b"\x1b[?62;c";
+const UP: &[u8] = b"\x1b[A";
+
+/// GB_P_2D in a terminal of its own.
+struct Terminal {
+    _master: Box<dyn MasterPty + Send>,
+    child: Box<dyn Child + Send + Sync>,
+    keyboard: Box<dyn Write + Send>,
+    screen: Arc<Mutex<vt100::Parser>>,
+}
+
+impl Terminal {
+    /// Starts the program with a folder for its state, in which it runs, too.
+    fn start(state: &Path, arguments: &[&str]) -> Terminal {
+        let pair = native_pty_system().openpty(PtySize { rows: 30, cols: 80, ..PtySize::default() }).unwrap();
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_gb_p_2d"));
+        command.args(["--display", "terminal", "--lang", "en"]);
+        command.args(arguments);
+        command.env("XDG_STATE_HOME", state);
+        command.env("TERM", "xterm-256color");
+        command.cwd(state);
+        let child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let screen = Arc::new(Mutex::new(vt100::Parser::new(30, 80, 0)));
+        let asked = Arc::new(Mutex::new(false));
+        let (parser, seen) = (Arc::clone(&screen), Arc::clone(&asked));
+        std::thread::spawn(move || {
+            let mut buffer = [0; 65536];
+            while let Ok(length @ 1..) = reader.read(&mut buffer) {
+                let written = &buffer[..length];
+                *seen.lock().unwrap() |=
+                    written.windows(LAST_QUESTION.len()).any(|part| part == LAST_QUESTION);
+                parser.lock().unwrap().process(written);
+            }
+        });
+        let keyboard = pair.master.take_writer().unwrap();
+        let mut terminal = Terminal { _master: pair.master, child, keyboard, screen };
+        terminal.wait("the questions", |_| *asked.lock().unwrap());
+        terminal.send(PLAIN);
+        terminal
+    }
+
+    fn send(&mut self, bytes: &[u8]) {
+        self.keyboard.write_all(bytes).unwrap();
+        self.keyboard.flush().unwrap();
+    }
+
+    #[track_caller]
+    fn wait(&mut self, what: &str, mut come: impl FnMut(&mut Terminal) -> bool) {
+        let end = Instant::now() + Duration::from_secs(20);
+        while !come(self) {
+            let shown = self.screen.lock().unwrap().screen().contents();
+            assert!(Instant::now() < end, "{what} did not come; the terminal shows\n{shown}");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    #[track_caller]
+    fn wait_for(&mut self, text: &str) {
+        self.wait(text, |terminal| terminal.screen.lock().unwrap().screen().contents().contains(text));
+    }
+
+    /// Ends the process as nothing can that it could prepare for.
+    fn kill(mut self) {
+        let process = self.child.process_id().expect("it runs").to_string();
+        let killed = std::process::Command::new("kill").args(["-9", &process]).status().unwrap();
+        assert!(killed.success());
+        self.child.wait().unwrap();
+    }
+
+    #[track_caller]
+    fn wait_for_end(&mut self) {
+        self.wait("the end of the program", |terminal| terminal.child.try_wait().unwrap().is_some());
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A scratch folder, gone at the end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Scratch {
+        let path = std::env::temp_dir().join(format!("grafika-killed-{name}-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&path);
+        std::fs::create_dir_all(&path).unwrap();
+        Scratch(path)
+    }
+
+    /// The files of unsaved work.
+    fn kept(&self) -> Vec<PathBuf> {
+        let entries = std::fs::read_dir(self.0.join("grafika/recovery"));
+        let paths = entries.into_iter().flatten().flatten().map(|entry| entry.path());
+        paths.filter(|path| path.extension().is_some_and(|ending| ending == "unsaved")).collect()
+    }
+
+    /// The radius of the circle in the only unsaved work; 100 is that of the start.
+    fn radius(&self) -> f64 {
+        let kept = self.kept();
+        let Some(path) = kept.first() else { return 100.0 };
+        assert_eq!(kept.len(), 1);
+        let text = std::fs::read_to_string(path).unwrap();
+        let (_, work) = text.split_once('\n').unwrap();
+        let work: serde_json::Value = serde_json::from_str(work).expect("the file is whole");
+        work["a"][1].as_f64().expect("it holds coefficients")
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The time after which no change may be missing.
+const SAFE: Duration = Duration::from_secs(1);
+
+/// Changes the first radius by 1 every so often until the time has come, kills the program, and gives the age
+/// of the oldest change that is missing.
+fn kill_after(number: u64) -> Duration {
+    let scratch = Scratch::new(&number.to_string());
+    let mut terminal = Terminal::start(&scratch.0, &[]);
+    terminal.wait_for("-new");
+    terminal.send(b"u");
+    terminal.wait_for("-change");
+    let life = Duration::from_millis(150 + 131 * number);
+    let begun = Instant::now();
+    let mut sent = Vec::new();
+    while begun.elapsed() < life {
+        terminal.send(UP);
+        sent.push(Instant::now());
+        std::thread::sleep(Duration::from_millis(7 + number % 5));
+    }
+    let killed = Instant::now();
+    terminal.kill();
+    let found = scratch.radius() - 100.0;
+    assert!(found.fract() == 0.0 && found >= 0.0 && found <= sent.len() as f64, "{found} of {}", sent.len());
+    let missing = sent.get(found as usize).map_or(Duration::ZERO, |&oldest| killed.duration_since(oldest));
+    println!("killed after {life:?}: {} changes, {found} kept, the oldest missing {missing:?}", sent.len());
+    assert!(missing < SAFE, "{missing:?}");
+    // The next start offers it and takes it up.
+    let mut terminal = Terminal::start(&scratch.0, &[]);
+    if found > 0.0 {
+        terminal.wait_for("broke off without saving");
+        terminal.send(b"i");
+        terminal.wait_for("-change");
+        terminal.send(UP);
+        terminal.wait("the kept change", |_| scratch.radius() == 101.0 + found);
+    } else {
+        terminal.wait_for("-new");
+    }
+    terminal.kill();
+    missing
+}
+
+#[test]
+fn a_kill_at_any_moment_costs_less_than_a_second() {
+    let worst = std::thread::scope(|scope| {
+        let lanes: Vec<_> = (0..3)
+            .map(|lane| scope.spawn(move || (0..4).map(|turn| kill_after(3 * turn + lane)).max()))
+            .collect();
+        lanes.into_iter().filter_map(|lane| lane.join().expect("every kill costs less")).max()
+    });
+    println!("the worst: {worst:?}");
+}
+
+#[test]
+fn a_closed_terminal_loses_nothing_and_a_running_session_is_not_offered() {
+    let scratch = Scratch::new("closed");
+    let mut terminal = Terminal::start(&scratch.0, &[]);
+    terminal.wait_for("-new");
+    terminal.send(b"u");
+    terminal.wait_for("-change");
+    (0..5).for_each(|_| terminal.send(UP));
+    terminal.wait("the fifth change", |_| scratch.radius() == 105.0);
+
+    let mut other = Terminal::start(&scratch.0, &[]);
+    other.wait_for("-new");
+    other.send(b"u");
+    other.wait_for("-change");
+    // In order: nothing is left of it.
+    other.send(b"\x03");
+    other.wait_for_end();
+
+    (0..3).for_each(|_| terminal.send(UP));
+    std::thread::sleep(Duration::from_millis(50));
+    // The signal of a closed terminal.
+    terminal.child.kill().unwrap();
+    terminal.wait_for_end();
+    assert_eq!(scratch.radius(), 108.0, "the last changes were written at the end");
+
+    // Saved, it is not kept any more.
+    let mut terminal = Terminal::start(&scratch.0, &[]);
+    terminal.wait_for("broke off without saving");
+    terminal.send(b"i");
+    terminal.wait_for("-change");
+    terminal.send(b"\x13");
+    terminal.wait_for("File name");
+    terminal.send(b"safe\r");
+    terminal.wait("the end of the unsaved work", |_| scratch.kept().is_empty());
+    assert!(scratch.0.join("SAFE.GBP").exists());
+    terminal.kill();
+    let mut terminal = Terminal::start(&scratch.0, &["SAFE.GBP"]);
+    terminal.wait_for("-change");
+}
