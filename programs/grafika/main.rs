@@ -40,6 +40,8 @@ mod gr_kz_o;
 mod gr_kz_x;
 #[path = "../gyongy_k.rs"]
 mod gyongy_k;
+#[path = "../telepit.rs"]
+mod telepit;
 #[path = "../vjs.rs"]
 mod vjs;
 #[path = "../zm_betsp.rs"]
@@ -62,18 +64,21 @@ mod zy_spln;
 mod convert;
 mod curve;
 mod menu;
+mod progress;
+mod reference;
 mod render;
 mod sample;
 mod smooth;
 mod solve;
+mod source;
 mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Program, RunOptions, exit, open, write_output};
+use grafika::launch::{Failure, Program, RunOptions, exit, write_output};
+use source::Source;
 use std::ffi::OsString;
 use std::fmt::Write;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Every program, in the order of the book.
@@ -107,11 +112,12 @@ const PROGRAMS: &[Program] = &[
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,
+    telepit::PROGRAM,
 ];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]
-#[command(name = "grafika", version, args_conflicts_with_subcommands = true)]
+#[command(name = "grafika", version, args_conflicts_with_subcommands = true, after_help = EXAMPLES)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -119,15 +125,28 @@ struct Cli {
     options: RunOptions,
 }
 
+const EXAMPLES: &str = "Examples:
+  grafika
+  grafika gb_2d_ip A.IP2
+  grafika --display terminal
+  grafika render A.IP2 --method spline --closed -o a.svg";
+
+const INFO_EXAMPLES: &str = "Examples:
+  grafika info A.IP2
+  cat a.json | grafika info - --from json";
+
+const COMPLETIONS_EXAMPLES: &str = "Examples:
+  grafika completions bash > grafika.bash
+  grafika completions zsh gb_2d_ip > _gb_2d_ip";
+
 #[derive(Subcommand)]
 enum Command {
     /// List the programs
+    #[command(after_help = "Examples:\n  grafika list")]
     List,
     /// Tell what a data file holds
-    Info {
-        /// A data file or a built-in sample
-        file: PathBuf,
-    },
+    #[command(after_help = INFO_EXAMPLES)]
+    Info(Source),
     /// Write points of a curve or a surface as CSV or JSON
     Sample(sample::Sample),
     /// Draw a curve or a surface as PNG or SVG; write a surface as OBJ, STL, PLY or STEP
@@ -138,6 +157,12 @@ enum Command {
     Smooth(smooth::Smooth),
     /// Tell the moves that finish a puzzle, or count the ways
     Solve(solve::Solve),
+    /// Write completions of the command line for a shell
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(reference::Completions),
+    /// Write the manual pages of grafika, its commands and the programs
+    #[command(after_help = "Examples:\n  grafika man\n  grafika man share/man/man1")]
+    Man(reference::Manuals),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]
     Program(Vec<OsString>),
@@ -152,8 +177,8 @@ fn run() -> Result<(), Failure> {
     match cli.command {
         None => menu::MENU.start(&cli.options.with_file(None)),
         Some(Command::List) => write_output(None, list().as_bytes()),
-        Some(Command::Info { file }) => {
-            let opened = open(&file)?;
+        Some(Command::Info(source)) => {
+            let opened = source.open()?;
             let lines = opened.document.describe().join("\n");
             write_output(None, format!("{lines}\n").as_bytes())
         }
@@ -162,8 +187,15 @@ fn run() -> Result<(), Failure> {
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Solve(solve)) => solve.run(),
+        Some(Command::Completions(completions)) => completions.run(),
+        Some(Command::Man(manuals)) => manuals.run(),
         Some(Command::Program(words)) => run_program(words),
     }
+}
+
+/// The command line of a program.
+fn command_of(program: &Program) -> clap::Command {
+    program.command()
 }
 
 /// Every program with a line about it.

@@ -1,6 +1,7 @@
 //! `grafika render`: a picture of a curve or a surface as PNG or SVG, or a surface as a model.
 
 use crate::curve::{CurveArgs, Curved};
+use crate::progress;
 use crate::sample::{SURFACE_STEPS, extension};
 use crate::surface::Surfaced;
 use clap::Args;
@@ -28,12 +29,19 @@ const EDGE: [u8; 3] = [170, 0, 0];
 
 /// The command line of `grafika render`.
 #[derive(Args)]
+#[command(after_help = "Examples:
+  grafika render A.IP2 --method spline --closed -o a.svg
+  grafika render A.ZMS -o ball.step
+  grafika render - --from ip2 --method bezier -o - --to png > a.png")]
 pub(crate) struct Render {
     #[command(flatten)]
     curve: CurveArgs,
     /// Where to write: a picture .png or .svg, a surface as a mesh .obj .stl .ply or exactly .step
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
+    /// Format of what is written (png, svg, obj, stl, ply, step), where no name says it
+    #[arg(long, value_name = "EXT", value_parser = Format::parse)]
+    to: Option<Format>,
     /// Width of the picture in pixels
     #[arg(long, value_name = "N", default_value_t = NOMINAL_WIDTH,
         value_parser = clap::value_parser!(u32).range(i64::from(SMALLEST_WIDTH)..=i64::from(LARGEST_WIDTH)))]
@@ -58,8 +66,9 @@ pub(crate) struct Render {
 impl Render {
     /// Draws and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let format = Format::of(&self.output)?;
+        let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
         let curved = self.curve.curve()?;
+        let _alive = progress::alive("drawing");
         if let Curved::Surface(surfaced) = &curved {
             return write_output(Some(&self.output), &self.surface(surfaced, format)?);
         }
@@ -202,7 +211,7 @@ fn closure(arcs: &[CubicBezier<2>]) -> Closure {
 }
 
 /// What is written, by the extension.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Png,
     Svg,
@@ -214,18 +223,27 @@ enum Format {
 
 impl Format {
     fn of(path: &std::path::Path) -> Result<Format, Failure> {
-        match extension(Some(path)).as_deref() {
-            Some("png") => Ok(Format::Png),
-            Some("svg") => Ok(Format::Svg),
-            Some("obj") => Ok(Format::Obj),
-            Some("stl") => Ok(Format::Stl),
-            Some("ply") => Ok(Format::Ply),
-            Some("step" | "stp") => Ok(Format::Step),
-            _ => Err(Failure::usage(format!(
-                "-o {}: pictures are written as .png or .svg, surfaces also as .obj .stl .ply .step",
-                path.display()
-            ))),
-        }
+        let Some(extension) = extension(Some(path)) else {
+            return Err(Failure::usage("-o - has no extension: say what to write, as in --to png"));
+        };
+        Format::parse(&extension).map_err(|why| Failure::usage(format!("-o {}: {why}", path.display())))
+    }
+
+    /// The format of an extension without its dot, in any case.
+    fn parse(extension: &str) -> Result<Format, String> {
+        Ok(match extension.to_lowercase().as_str() {
+            "png" => Format::Png,
+            "svg" => Format::Svg,
+            "obj" => Format::Obj,
+            "stl" => Format::Stl,
+            "ply" => Format::Ply,
+            "step" | "stp" => Format::Step,
+            _ => {
+                return Err(
+                    "pictures are written as .png or .svg, surfaces also as .obj .stl .ply .step".to_owned()
+                );
+            }
+        })
     }
 
     fn is_model(self) -> bool {

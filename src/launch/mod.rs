@@ -10,12 +10,12 @@ mod options;
 mod outlet;
 
 pub use failure::{Failure, exit};
-pub use open::{Opened, kind_of, open};
+pub use open::{Opened, kind_of, open, open_as, read_stdin};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::write_output;
 
-use crate::file::Document;
-use crate::machine::{Language, Machine, Quit, Session};
+use crate::file::{Document, Format};
+use crate::machine::{Language, Machine, Quit, SAMPLES, Session};
 use crate::ui::{Manual, Phrase};
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
@@ -32,6 +32,20 @@ pub type Run<'m> = Pin<Box<dyn Future<Output = Result<(), Quit>> + 'm>>;
 /// Always: that it takes none.
 pub fn no_file(_: &Document) -> Result<(), Phrase> {
     Err(Phrase::new("ez a program file nélkül működik", "this program takes no file"))
+}
+
+/// Examples of a program's command line, with a sample where it has one.
+fn examples(name: &str) -> String {
+    let reads = |format: &&Format| format.programs().iter().any(|program| program.eq_ignore_ascii_case(name));
+    let sample = |format: &Format| {
+        let has = |(file, _): &&(&'static str, _)| Format::from_name(file) == Some(*format);
+        SAMPLES.iter().find(has).map(|(file, _)| *file)
+    };
+    let file = Format::ALL.iter().filter(reads).find_map(sample);
+    let with_file = file.map(|file| format!("  {name} {file}\n")).unwrap_or_default();
+    format!(
+        "Examples:\n  {name}\n{with_file}  {name} --lang en --display terminal\n  {name} --script demo.txt"
+    )
 }
 
 /// A program of the book.
@@ -58,10 +72,15 @@ impl Program {
     /// # Errors
     /// [`Failure`] when the command line is wrong, or a file, a script or a display does not work.
     pub fn start_from(&self, arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure> {
+        let matches = self.command().try_get_matches_from(arguments)?;
+        self.start(&Options::from_arg_matches(&matches)?)
+    }
+
+    /// The program's command line as it is described: help, completions and manual page come from it.
+    pub fn command(&self) -> Command {
         let command = Command::new(self.manual.name).about(self.manual.about.1);
         let command = Options::augment_args(command).version(env!("CARGO_PKG_VERSION"));
-        let matches = command.try_get_matches_from(arguments)?;
-        self.start(&Options::from_arg_matches(&matches)?)
+        command.after_help(examples(self.manual.name))
     }
 
     /// Starts the program with the options of a command line and stays until it has ended.

@@ -3,7 +3,8 @@
 use super::Failure;
 use crate::editor::plane::with_twin;
 use crate::file::{Document, FileKind, Format};
-use crate::machine::{Folder, Storage};
+use crate::machine::{Folder, LARGEST_FILE, Storage};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// A document with where it came from.
@@ -23,6 +24,18 @@ pub struct Opened {
 /// # Errors
 /// [`Failure`] with the name and what is wrong: no such file, an unknown extension, a wrong content.
 pub fn open(path: &Path) -> Result<Opened, Failure> {
+    open_as(path, None)
+}
+
+/// As [`open`], with the kind of the file where its name does not say it; `-` is standard input, whose kind
+/// has to be said.
+///
+/// # Errors
+/// Those of [`open`], and when `-` comes without a kind.
+pub fn open_as(path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
+    if path == Path::new("-") {
+        return open_stdin(from);
+    }
     let name = path.display().to_string();
     let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else {
         return Err(Failure::work(format!("{name:?} is not the name of a file")));
@@ -37,10 +50,32 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
         true => Failure::work(format!("{error}, neither in this folder nor among the built-in samples")),
         false => Failure::work(format!("{}: {error}", folder.display())),
     })?;
-    let document = Document::decode(kind_of(path)?, &content)
-        .map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
+    let kind = from.map_or_else(|| kind_of(path), Ok)?;
+    let document =
+        Document::decode(kind, &content).map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
     let document = with_twin(document, &storage, file_name);
     Ok(Opened { name, folder, document })
+}
+
+fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
+    let kind = from.ok_or_else(|| Failure::usage("- has no extension: say what comes, as in --from ip2"))?;
+    let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
+    let content = read_stdin().map_err(|error| failure(error.to_string()))?;
+    let document = Document::decode(kind, &content).map_err(|problem| failure(problem.to_string()))?;
+    Ok(Opened { name: "standard input".to_owned(), folder: PathBuf::new(), document })
+}
+
+/// All of standard input, if it is no longer than any data file.
+///
+/// # Errors
+/// The system's, and when there is more.
+pub fn read_stdin() -> std::io::Result<Vec<u8>> {
+    let mut content = Vec::new();
+    std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut content)?;
+    if content.len() as u64 > LARGEST_FILE {
+        return Err(std::io::Error::other(format!("it is longer than any data file ({LARGEST_FILE} bytes)")));
+    }
+    Ok(content)
 }
 
 /// The kind of a file by its name.

@@ -38,7 +38,7 @@ pub mod window;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
 #[cfg(feature = "native")]
-pub use folder::{Folder, write_safely};
+pub use folder::{Folder, LARGEST_FILE, write_safely};
 pub use port::Wait;
 pub use record::Recorder;
 pub use samples::{SAMPLES, sample};
