@@ -6,9 +6,10 @@ use grafika::ui::Words;
 
 /// Programs that belong together.
 pub(crate) struct Group {
-    /// The folder that the installer makes for it, of eight letters at most as on the book's disk. In lower case
-    /// it is the group's name on the command line.
+    /// The folder that the installer makes for it, of eight letters at most as on the book's disk.
     pub(crate) folder: &'static str,
+    /// The same in lower case: the group's name on the command line.
+    pub(crate) id: &'static str,
     /// The book's chapter.
     pub(crate) chapter: &'static str,
     /// What the group is called.
@@ -23,6 +24,7 @@ pub(crate) struct Group {
 pub(crate) const GROUPS: &[Group] = &[
     Group {
         folder: "KURZOR",
+        id: "kurzor",
         chapter: "1",
         name: Words("Kurzorok", "Cursors"),
         about: Words(
@@ -33,6 +35,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "GB_2D",
+        id: "gb_2d",
         chapter: "2",
         name: Words("Síkgörbék", "Plane curves"),
         about: Words(
@@ -43,6 +46,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "GB_3D",
+        id: "gb_3d",
         chapter: "2",
         name: Words("Térgörbék", "Space curves"),
         about: Words(
@@ -53,6 +57,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "FT_NYILT",
+        id: "ft_nyilt",
         chapter: "3",
         name: Words("Nyílt felületek", "Open surfaces"),
         about: Words(
@@ -63,6 +68,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "FT_GOMB",
+        id: "ft_gomb",
         chapter: "3",
         name: Words("Gömbszerű felületek", "Sphere surfaces"),
         about: Words(
@@ -73,6 +79,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "FT_GYURU",
+        id: "ft_gyuru",
         chapter: "3",
         name: Words("Gyűrűszerű felületek", "Ring surfaces"),
         about: Words(
@@ -83,6 +90,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "JATEK",
+        id: "jatek",
         chapter: "4",
         name: Words("Játékok, fejtörők", "Games and puzzles"),
         about: Words(
@@ -93,6 +101,7 @@ pub(crate) const GROUPS: &[Group] = &[
     },
     Group {
         folder: "TELEPIT",
+        id: "telepit",
         chapter: "5",
         name: Words("Telepítő", "Installer"),
         about: Words(
@@ -104,11 +113,6 @@ pub(crate) const GROUPS: &[Group] = &[
 ];
 
 impl Group {
-    /// The group that a program belongs to.
-    pub(crate) fn of(program: &str) -> Option<&'static Group> {
-        GROUPS.iter().find(|group| group.programs.iter().any(|name| name.eq_ignore_ascii_case(program)))
-    }
-
     /// The built-in samples that its programs open: name and content.
     pub(crate) fn samples(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> + '_ {
         SAMPLES.iter().copied().filter(|(name, _)| {
@@ -129,7 +133,7 @@ mod tests {
         for program in PROGRAMS {
             let name = program.manual.name;
             assert_eq!(grouped.iter().filter(|known| **known == name).count(), 1, "{name}");
-            let group = Group::of(&name.to_uppercase()).expect("just counted");
+            let group = GROUPS.iter().find(|group| group.programs.contains(&name)).expect("just counted");
             assert!(program.chapter.starts_with(group.chapter), "{name}: {}", program.chapter);
         }
         assert_eq!(grouped.len(), PROGRAMS.len());
@@ -147,7 +151,7 @@ mod tests {
     fn folders_are_names_of_the_disk_operating_system() {
         for (at, group) in GROUPS.iter().enumerate() {
             assert!((1..=8).contains(&group.folder.len()), "{}", group.folder);
-            assert_eq!(group.folder, group.folder.to_ascii_uppercase());
+            assert_eq!(group.folder, group.id.to_ascii_uppercase());
             assert!(GROUPS[..at].iter().all(|earlier| earlier.folder != group.folder));
         }
     }

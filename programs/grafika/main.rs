@@ -64,7 +64,6 @@ mod zy_spln;
 mod convert;
 mod curve;
 mod menu;
-mod progress;
 mod reference;
 mod render;
 mod sample;
@@ -72,6 +71,8 @@ mod smooth;
 mod solve;
 mod source;
 mod surface;
+#[cfg(feature = "terminal")]
+mod terminal_menu;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -79,7 +80,9 @@ use grafika::launch::{Failure, Program, RunOptions, exit, write_output};
 use source::Source;
 use std::ffi::OsString;
 use std::fmt::Write;
+use std::path::Path;
 use std::process::ExitCode;
+use telepit::groups;
 
 /// Every program, in the order of the book.
 const PROGRAMS: &[Program] = &[
@@ -157,6 +160,9 @@ enum Command {
     Smooth(smooth::Smooth),
     /// Tell the moves that finish a puzzle, or count the ways
     Solve(solve::Solve),
+    /// Install programs with their samples into a folder, on a page of text or as a plain command
+    #[command(after_help = telepit::examples("grafika install"))]
+    Install(telepit::Install),
     /// Write completions of the command line for a shell
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(reference::Completions),
@@ -173,9 +179,12 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
+    if let Some(words) = linked_name() {
+        return run_program(words);
+    }
     let cli = Cli::try_parse()?;
     match cli.command {
-        None => menu::MENU.start(&cli.options.with_file(None)),
+        None => show_menu(&cli.options),
         Some(Command::List) => write_output(None, list().as_bytes()),
         Some(Command::Info(source)) => {
             let opened = source.open()?;
@@ -187,15 +196,41 @@ fn run() -> Result<(), Failure> {
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Solve(solve)) => solve.run(),
+        Some(Command::Install(install)) => install.run(),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manuals)) => manuals.run(),
         Some(Command::Program(words)) => run_program(words),
     }
 }
 
+/// The menu: in the terminal a page of text, elsewhere a picture.
+fn show_menu(options: &RunOptions) -> Result<(), Failure> {
+    #[cfg(feature = "terminal")]
+    if grafika::launch::in_terminal(options) {
+        return terminal_menu::run(options, &|program, options| match program.manual.name {
+            "telepit" => telepit::Install::shown(options).run(),
+            _ => program.start(&options.with_file(None)),
+        });
+    }
+    menu::MENU.start(&options.with_file(None))
+}
+
+/// The command line, if this executable was started under the name of a program, as a link to it is.
+fn linked_name() -> Option<Vec<OsString>> {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    let name = Path::new(words.first()?).file_stem()?.to_string_lossy().to_lowercase();
+    PROGRAMS.iter().any(|program| program.manual.name == name).then(|| {
+        // The name, for messages, without the folders before it.
+        [OsString::from(name)].into_iter().chain(words.into_iter().skip(1)).collect()
+    })
+}
+
 /// The command line of a program.
 fn command_of(program: &Program) -> clap::Command {
-    program.command()
+    match program.manual.name {
+        "telepit" => telepit::described(),
+        _ => program.command(),
+    }
 }
 
 /// Every program with a line about it.
@@ -212,6 +247,7 @@ fn list() -> String {
 fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
     let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
     match PROGRAMS.iter().find(|program| program.manual.name == name) {
+        Some(program) if program.manual.name == "telepit" => telepit::start_from(words),
         Some(program) => program.start_from(words),
         None => {
             let programs: Vec<&str> = PROGRAMS.iter().map(|program| program.manual.name).collect();

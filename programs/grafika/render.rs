@@ -1,7 +1,6 @@
 //! `grafika render`: a picture of a curve or a surface as PNG or SVG, or a surface as a model.
 
 use crate::curve::{CurveArgs, Curved};
-use crate::progress;
 use crate::sample::{SURFACE_STEPS, extension};
 use crate::surface::Surfaced;
 use clap::Args;
@@ -10,7 +9,7 @@ use grafika::figure::{
 };
 use grafika::file::SPACE_VIEW;
 use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, View};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
 /// Greatest distance of a picture's arcs from the curve, by the size of the curve: far below a

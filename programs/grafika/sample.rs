@@ -1,12 +1,11 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
 use crate::curve::{CurveArgs, Curved};
-use crate::progress;
 use crate::source::is_stream;
 use clap::Args;
 use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
 use grafika::geometry::{GeometryError, Sample as Place, SurfaceSample};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
 /// Steps a span of a surface, as most programs of the book draw them.

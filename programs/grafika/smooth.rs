@@ -1,11 +1,10 @@
 //! `grafika smooth`: measured points smoothed by a B-spline and a Bézier curve (section 2.3.8).
 
-use crate::progress;
 use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{DENSITY, GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
-use grafika::launch::{Failure, open_as, write_output};
+use grafika::launch::{Failure, open_as, progress, write_output};
 use std::path::PathBuf;
 
 /// The command line of `grafika smooth`.

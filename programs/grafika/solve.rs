@@ -1,10 +1,9 @@
 //! `grafika solve`: moves that solve a puzzle, and the number of ways.
 
-use crate::progress;
 use crate::source::InputFormat;
 use clap::Args;
 use grafika::file::{CsangoCube, Document};
-use grafika::launch::{Failure, open_as, read_stdin, write_output};
+use grafika::launch::{Failure, open_as, progress, read_stdin, write_output};
 use grafika::puzzle::cube::{Count, PIECES, Progress, Rules, Search as Filling, Way, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use std::path::Path;

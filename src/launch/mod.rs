@@ -8,7 +8,9 @@ mod failure;
 mod open;
 mod options;
 mod outlet;
+pub mod progress;
 
+pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use open::{Opened, kind_of, open, open_as, read_stdin};
 pub use options::{DisplayKind, Options, RunOptions};
