@@ -77,7 +77,7 @@ impl Installer {
 
     fn rows(&self) -> Vec<Row> {
         let row = |(group, marked): (&crate::groups::Group, &bool)| {
-            Row::Mark(*marked, format!("{:8}  {}", group.folder, group.name.of(self.language)))
+            Row::Mark(*marked, format!("{:8} {}", group.folder, group.name.of(self.language)))
         };
         GROUPS.iter().zip(&self.marked).map(row).collect()
     }
@@ -257,7 +257,10 @@ impl TextProgram for Installer {
     }
 
     fn work(&mut self) {
-        let Stage::Works(mut job) = std::mem::replace(&mut self.stage, Stage::Ended) else { return };
+        let mut job = match std::mem::replace(&mut self.stage, Stage::Ended) {
+            Stage::Works(job) => job,
+            other => return self.stage = other,
+        };
         self.stage = match job.step() {
             Ok(Step::Asks(path)) => Stage::Asks(job, path),
             Ok(Step::Did(..)) => Stage::Works(job),

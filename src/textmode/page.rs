@@ -11,8 +11,8 @@ use ratatui::widgets::{Block, BorderType, Clear, Gauge, Paragraph, Widget, Wrap}
 /// Columns and rows that a page needs.
 pub const LEAST: (u16, u16) = (48, 12);
 
-/// Columns of the list on wide pages; its share of narrow ones is two fifths.
-const LIST: u16 = 34;
+/// Columns of the list on wide pages; its share of narrow ones is a little less than half.
+const LIST: u16 = 36;
 
 /// What the DOS installers looked like: light letters on blue windows, a grey bar of keys with red letters.
 const WINDOW: Style = Style::new().fg(Color::Gray).bg(Color::Blue);
@@ -122,7 +122,7 @@ impl Parts {
     fn of(area: Rect) -> Parts {
         let [title, middle, keys] =
             Layout::vertical([Constraint::Length(1), Constraint::Min(0), Constraint::Length(1)]).areas(area);
-        let width = LIST.min(area.width.saturating_mul(2) / 5);
+        let width = LIST.min(area.width.saturating_mul(9) / 20);
         let [list, summary] =
             Layout::horizontal([Constraint::Length(width), Constraint::Min(0)]).areas(middle);
         Parts { title, list, summary, keys }
