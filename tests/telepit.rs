@@ -109,7 +109,7 @@ fn every_command_reads_and_writes_streams() {
         output.stdout
     };
     let with = |head: &[&'static str], tail: &[&'static str]| [head, &ip2[..], tail].concat();
-    assert!(done(&points, &with(&["info", "-"], &[])).starts_with(b"control points in the plane"));
+    assert!(done(&points, &with(&["info", "-"], &[])).starts_with(b"41 control points in the plane\n"));
     let json = done(&points, &with(&["convert", "-", "-"], &["--to", "json"]));
     assert_eq!(done(&json, &["convert", "-", "-", "--from", "json", "--to", "IP2"]), points);
     let csv = done(&points, &with(&["sample", "-"], &["--method", "spline"]));
@@ -138,6 +138,23 @@ fn a_stream_without_a_format_is_a_wrong_command_line() {
         assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{arguments:?}: {message}");
     }
     assert_eq!(pipe(b"short", &["info", "-", "--from", "ip2"]).status.code(), Some(1));
+}
+
+/// The page as a picture, which a window would show.
+#[test]
+fn the_page_is_shown_as_a_picture_too() {
+    let root = scratch("picture");
+    let (script, picture) = (root.join("script.txt"), root.join("telepit.png"));
+    fs::write(&script, format!("key Space\nclick 40 56\nkey Space\nshot {}\n", picture.display())).unwrap();
+    let arguments = ["--script", script.to_str().unwrap()];
+    let played = Command::new(TELEPIT).args(arguments).env("HOME", "/home/janos").output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&played.stderr), "");
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/telepit.png");
+    if std::env::var_os("UPDATE_PICTURES").is_some() {
+        fs::copy(&picture, &golden).unwrap();
+    }
+    assert!(fs::read(&picture).unwrap() == fs::read(&golden).unwrap_or_default(), "{}", golden.display());
+    fs::remove_dir_all(root).unwrap();
 }
 
 /// A terminal with a program in it.
@@ -280,8 +297,8 @@ fn a_signal_undoes_everything() {
     terminal.wait_for("Space marks");
     terminal.send("*\r\r");
     terminal.wait_for("Overwrite it?");
-    // Sends the signal of a closed terminal.
-    terminal.child.kill().unwrap();
+    let process = terminal.child.process_id().unwrap().to_string();
+    assert!(Command::new("kill").args(["-TERM", &process]).status().unwrap().success());
     assert_eq!(terminal.end(), 1);
     assert_eq!(fs::read_dir(&root).unwrap().count(), 1);
     fs::remove_dir_all(root).unwrap();

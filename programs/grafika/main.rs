@@ -76,7 +76,7 @@ mod terminal_menu;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Program, RunOptions, exit, write_output};
+use grafika::launch::{Failure, Options, Program, RunOptions, exit, write_output};
 use source::Source;
 use std::ffi::OsString;
 use std::fmt::Write;
@@ -147,6 +147,9 @@ enum Command {
     /// List the programs
     #[command(after_help = "Examples:\n  grafika list")]
     List,
+    /// Open a data file with its program; without a file, the menu
+    #[command(after_help = "Examples:\n  grafika open A.ZMS\n  grafika open a.json --lang en")]
+    Open(Options),
     /// Tell what a data file holds
     #[command(after_help = INFO_EXAMPLES)]
     Info(Source),
@@ -186,6 +189,7 @@ fn run() -> Result<(), Failure> {
     match cli.command {
         None => show_menu(&cli.options),
         Some(Command::List) => write_output(None, list().as_bytes()),
+        Some(Command::Open(options)) => open_with_program(&options),
         Some(Command::Info(source)) => {
             let opened = source.open()?;
             let lines = opened.document.describe().join("\n");
@@ -213,6 +217,20 @@ fn show_menu(options: &RunOptions) -> Result<(), Failure> {
         });
     }
     menu::MENU.start(&options.with_file(None))
+}
+
+/// Starts the program that a data file belongs to.
+fn open_with_program(options: &Options) -> Result<(), Failure> {
+    let Some(file) = &options.file else { return show_menu(&options.run) };
+    let format = grafika::launch::open(file)?.document.format();
+    let belongs = |program: &&Program| {
+        let first = format.programs().first();
+        first.is_some_and(|name| name.eq_ignore_ascii_case(program.manual.name))
+    };
+    match PROGRAMS.iter().find(belongs) {
+        Some(program) => program.start(options),
+        None => Err(Failure::work(format!("{}: no program opens {}", file.display(), format.english()))),
+    }
 }
 
 /// The command line, if this executable was started under the name of a program, as a link to it is.
