@@ -26,8 +26,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Every file: its name and its content.
-pub(crate) fn files() -> Result<Vec<(&'static str, Vec<u8>)>, Box<dyn std::error::Error>> {
+/// A file: its name and its content.
+type File = (&'static str, Vec<u8>);
+
+/// Every file.
+pub(crate) fn files() -> Result<Vec<File>, Box<dyn std::error::Error>> {
     let icon = icon()?;
     Ok(vec![
         ("grafika-64.png", png(&icon, 1)?),

@@ -125,19 +125,6 @@ impl Group {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::PROGRAMS;
-
-    #[test]
-    fn every_program_is_in_one_group() {
-        let grouped: Vec<&str> = GROUPS.iter().flat_map(|group| group.programs.iter().copied()).collect();
-        for program in PROGRAMS {
-            let name = program.manual.name;
-            assert_eq!(grouped.iter().filter(|known| **known == name).count(), 1, "{name}");
-            let group = GROUPS.iter().find(|group| group.programs.contains(&name)).expect("just counted");
-            assert!(program.chapter.starts_with(group.chapter), "{name}: {}", program.chapter);
-        }
-        assert_eq!(grouped.len(), PROGRAMS.len());
-    }
 
     #[test]
     fn every_sample_is_in_one_group() {

@@ -1,6 +1,8 @@
 //! `grafika install` and `telepit`: the page where there is a terminal, a plain command where groups are given.
 
-use super::installer::{End, Installer};
+#[cfg(feature = "terminal")]
+use super::installer::End;
+use super::installer::Installer;
 use super::job::{Answer, Job, Outcome, Step};
 use super::plan::{Plan, System};
 use super::{PROGRAM, place, texts};

@@ -71,6 +71,10 @@ impl Installer {
     }
 
     /// How it has ended.
+    #[cfg_attr(
+        not(feature = "terminal"),
+        allow(dead_code, reason = "without a terminal nobody waits for it")
+    )]
     pub(crate) fn end(&self) -> End {
         self.end
     }
