@@ -6,6 +6,9 @@
 
 #[path = "telepit/command.rs"]
 mod command;
+#[cfg(test)]
+#[path = "telepit/golden.rs"]
+pub(crate) mod golden;
 #[path = "grafika/groups.rs"]
 pub(crate) mod groups;
 #[path = "telepit/installer.rs"]

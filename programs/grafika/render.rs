@@ -67,9 +67,16 @@ impl Render {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
         let curved = self.curve.curve()?;
-        let _alive = progress::alive("drawing");
+        let alive = progress::alive("drawing");
+        let content = self.content(curved, format)?;
+        drop(alive);
+        write_output(Some(&self.output), &content)
+    }
+
+    /// What is written.
+    fn content(&self, curved: Curved, format: Format) -> Result<Vec<u8>, Failure> {
         if let Curved::Surface(surfaced) = &curved {
-            return write_output(Some(&self.output), &self.surface(surfaced, format)?);
+            return self.surface(surfaced, format);
         }
         if format.is_model() {
             let message = "models are of surfaces; a curve is drawn as .png or .svg";
@@ -104,10 +111,9 @@ impl Render {
                 let arcs = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(|p| view.place(p)) });
                 self.figure(&points, arcs.collect())
             }
-            // Written above.
-            Curved::Surface(_) => return Ok(()),
+            Curved::Surface(surfaced) => return self.surface(&surfaced, format),
         };
-        write_output(Some(&self.output), &self.picture(&figure, format)?)
+        self.picture(&figure, format)
     }
 
     fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {

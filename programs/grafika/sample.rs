@@ -36,7 +36,7 @@ impl Sample {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let steps = self.per_span.unwrap_or(50) as usize;
         let curved = self.curve.curve()?;
-        let _alive = progress::alive("sampling");
+        let alive = progress::alive("sampling");
         let text = match curved {
             Curved::Plane(_, curve) => self.text(curve.sample(steps)),
             Curved::Varying(_, curve) => self.text(curve.sample(steps)),
@@ -48,6 +48,7 @@ impl Sample {
                 self.table(samples.into_iter(), surface_csv, surface_json)
             }
         }?;
+        drop(alive);
         write_output(self.output.as_deref(), text.as_bytes())
     }
 

@@ -229,6 +229,7 @@ impl TextProgram for Menu {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::telepit::golden::assert_golden;
 
     fn type_into(menu: &mut Menu, text: &str) {
         for letter in text.chars() {
@@ -255,6 +256,15 @@ mod tests {
         menu.event(TextEvent::Key(Key::Enter));
         assert_eq!(menu.doing(), Doing::Ended);
         assert_eq!(menu.started.map(|program| program.manual.name), Some("telepit"));
+    }
+
+    #[test]
+    fn the_page_looks_as_it_did() {
+        for (language, code) in [(Language::Hungarian, "hu"), (Language::English, "en")] {
+            let mut menu = Menu::new(language);
+            type_into(&mut menu, "zm");
+            assert_golden(&menu.page(), &format!("terminal_menu_{code}.txt"));
+        }
     }
 
     #[test]

@@ -290,6 +290,7 @@ impl TextProgram for Installer {
 
 #[cfg(test)]
 mod tests {
+    use super::super::golden::assert_golden;
     use super::super::journal::tests::{contents, scratch};
     use super::*;
     use std::path::Path;
@@ -309,18 +310,6 @@ mod tests {
         while installer.doing() == Doing::Working {
             installer.work();
         }
-    }
-
-    /// Compares a page with the text that is kept of it; `UPDATE_PICTURES=1` makes it anew.
-    #[track_caller]
-    fn assert_golden(page: &Page, name: &str) {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
-        let text = page.to_text(80, 25) + "\n";
-        if std::env::var_os("UPDATE_PICTURES").is_some() {
-            std::fs::write(&path, &text).unwrap();
-        }
-        let golden = std::fs::read_to_string(&path).unwrap_or_default();
-        assert!(text == golden, "{name}: expected\n{golden}\nfound\n{text}");
     }
 
     #[test]
