@@ -52,8 +52,9 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
 
 /// The command line of the program.
 pub(crate) fn described() -> Command {
-    let command = Command::new(MANUAL.name).about(MANUAL.about.1).version(env!("CARGO_PKG_VERSION"));
-    Install::augment_args(command).after_help(examples(MANUAL.name))
+    // The options bring a line of their own with them, which is about the command.
+    let command = Install::augment_args(Command::new(MANUAL.name)).about(MANUAL.about.1);
+    command.version(env!("CARGO_PKG_VERSION")).after_help(examples(MANUAL.name))
 }
 
 /// Starts the program with a command line, whose first word is its name.

@@ -126,27 +126,43 @@ fn pages() -> Result<Vec<(String, Vec<u8>)>, Failure> {
 fn page(command: &clap::Command, manual: Option<Manual>) -> Result<Vec<u8>, Failure> {
     let man = Man::new(command.clone()).manual("Interaktív grafika");
     let mut text = Vec::new();
-    let failure = |error: std::io::Error| Failure::work(format!("{}: {error}", command.get_name()));
-    let Some(manual) = manual.filter(|manual| !manual.keys.is_empty()) else {
-        man.render(&mut text).map_err(failure)?;
-        return Ok(text);
+    let mut render = || -> std::io::Result<()> {
+        man.render_title(&mut text)?;
+        man.render_name_section(&mut text)?;
+        man.render_synopsis_section(&mut text)?;
+        man.render_description_section(&mut text)?;
+        man.render_options_section(&mut text)?;
+        if command.has_subcommands() {
+            man.render_subcommands_section(&mut text)?;
+        }
+        let mut own = Roff::default();
+        keys_section(manual, &mut own);
+        examples_section(command, &mut own);
+        own.to_writer(&mut text)
     };
-    man.render_title(&mut text).map_err(failure)?;
-    man.render_name_section(&mut text).map_err(failure)?;
-    man.render_synopsis_section(&mut text).map_err(failure)?;
-    man.render_description_section(&mut text).map_err(failure)?;
-    man.render_options_section(&mut text).map_err(failure)?;
-    let mut keys = Roff::default();
-    keys.control("SH", ["KEYS"]);
-    for (key, what) in manual.keys {
-        keys.control("TP", []);
-        keys.text([bold(key.1)]);
-        keys.text([roman(what.1)]);
-    }
-    keys.to_writer(&mut text).map_err(failure)?;
-    man.render_extra_section(&mut text).map_err(failure)?;
-    man.render_version_section(&mut text).map_err(failure)?;
+    render().map_err(|error| Failure::work(format!("{}: {error}", command.get_name())))?;
     Ok(text)
+}
+
+fn keys_section(manual: Option<Manual>, page: &mut Roff) {
+    let Some(manual) = manual.filter(|manual| !manual.keys.is_empty()) else { return };
+    page.control("SH", ["KEYS"]);
+    for (key, what) in manual.keys {
+        page.control("TP", []);
+        page.text([bold(key.1)]);
+        page.text([roman(what.1)]);
+    }
+}
+
+/// The examples of the help, line by line.
+fn examples_section(command: &clap::Command, page: &mut Roff) {
+    let Some(help) = command.get_after_help() else { return };
+    page.control("SH", ["EXAMPLES"]);
+    page.control("nf", []);
+    for line in help.to_string().lines().skip(1) {
+        page.text([roman(line.trim())]);
+    }
+    page.control("fi", []);
 }
 
 #[cfg(test)]
@@ -186,7 +202,10 @@ mod tests {
             assert!(seen.contains(&format!("grafika {command}")), "{command}");
         }
         for program in PROGRAMS {
-            assert!(seen.contains(&format!("grafika {}", program.manual.name)));
+            let name = program.manual.name;
+            assert!(seen.contains(&format!("grafika {name}")));
+            let about = command_of(program).get_about().map(ToString::to_string);
+            assert_eq!(about.as_deref(), Some(program.manual.about.1), "{name}");
         }
     }
 
@@ -241,7 +260,7 @@ mod tests {
                 (_, true) => text(&format!("{name}.1")),
                 (_, false) => text(&format!("grafika-{name}.1")),
             };
-            assert!(page.contains("Examples:"), "{path}");
+            assert!(page.contains(".SH EXAMPLES\n"), "{path}");
             for long in command.get_arguments().filter_map(clap::Arg::get_long) {
                 assert!(page.contains(&format!("--{long}")), "{path} --{long}");
             }

@@ -313,6 +313,34 @@ mod tests {
         }
     }
 
+    /// As on Windows, or on a disk without links.
+    #[test]
+    fn without_links_scripts_start_the_programs() {
+        let root = scratch("scripts");
+        let find = |name: &str| (name == "grafika").then(|| PathBuf::from("/bin/echo"));
+        let plan = Plan::new(&[&GROUPS[0]], &find, System::Windows).unwrap();
+        for written in [plan.entries.len(), 0] {
+            let mut job = Job::new(root.clone(), plan.clone(), None);
+            job.system = System::Windows;
+            assert_eq!(run(&mut job, Answer::No).unwrap().0.written, written);
+        }
+        let script = fs::read_to_string(root.join("KURZOR/vjs.cmd")).unwrap();
+        assert_eq!(script, "@\"/bin/echo\" vjs %*\r\n");
+        fs::remove_dir_all(root).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn scripts_of_sh_hand_their_arguments_on() {
+        let root = scratch("sh");
+        let starter = Starter { executable: "/bin/echo".into(), program: Some("vjs") };
+        let path = root.join("vjs");
+        fs::write(&path, starter.script(System::Unix)).unwrap();
+        let told = std::process::Command::new("sh").arg(&path).args(["a b", "c"]).output().unwrap();
+        assert_eq!(told.stdout, b"vjs a b c\n");
+        fs::remove_dir_all(root).unwrap();
+    }
+
     #[test]
     fn a_folder_that_cannot_be_made_is_undone() {
         let root = scratch("subfolder");

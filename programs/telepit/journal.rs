@@ -30,6 +30,10 @@ impl Journal {
             .take_while(|folder| !folder.as_os_str().is_empty() && fs::metadata(folder).is_err())
             .collect();
         for folder in missing.into_iter().rev() {
+            // Of "a/../b" the part "a/.." is there as soon as "a" is.
+            if fs::metadata(folder).is_ok() {
+                continue;
+            }
             fs::create_dir(folder)?;
             self.deeds.push(Deed::Folder(folder.to_path_buf()));
         }
@@ -226,6 +230,17 @@ pub(crate) mod tests {
         assert!(journal.write(&folder.join("file"), b"new", Executable::No).is_err());
         assert_eq!(journal.undo(), [""; 0]);
         assert_eq!(fs::read(folder.join("file")).unwrap(), b"old");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn paths_that_go_back_are_made_and_undone() {
+        let folder = scratch("back");
+        let mut journal = Journal::default();
+        journal.folder(&folder.join("a/../b")).unwrap();
+        assert!(folder.join("b").is_dir());
+        journal.undo();
+        assert_eq!(contents(&folder), []);
         fs::remove_dir_all(folder).unwrap();
     }
 

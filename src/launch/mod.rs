@@ -80,9 +80,9 @@ impl Program {
 
     /// The program's command line as it is described: help, completions and manual page come from it.
     pub fn command(&self) -> Command {
-        let command = Command::new(self.manual.name).about(self.manual.about.1);
-        let command = Options::augment_args(command).version(env!("CARGO_PKG_VERSION"));
-        command.after_help(examples(self.manual.name))
+        // The options bring a line of their own with them, which is about options.
+        let command = Options::augment_args(Command::new(self.manual.name)).about(self.manual.about.1);
+        command.version(env!("CARGO_PKG_VERSION")).after_help(examples(self.manual.name))
     }
 
     /// Starts the program with the options of a command line and stays until it has ended.
