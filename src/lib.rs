@@ -4,7 +4,7 @@
 //!
 //! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
 //! [`screen`], [`geometry`], [`table`], [`puzzle`] and [`pascal`] on the ground floor, above them [`mod@file`], [`figure`] and
-//! [`machine`], then [`ui`], then [`editor`] and [`cursor`]. The programs themselves stand on top of the library.
+//! [`machine`], then [`ui`], then [`editor`], [`cursor`] and the pages of a text mode. The programs themselves stand on top of the library.
 
 pub mod cursor;
 pub mod editor;
@@ -18,4 +18,6 @@ pub mod pascal;
 pub mod puzzle;
 pub mod screen;
 pub mod table;
+#[cfg(feature = "native")]
+pub mod textmode;
 pub mod ui;

@@ -1,20 +1,20 @@
 //! The curve that `sample` and `render` are asked for: a file with a method and its parameters. A file with a
 //! net gives a [`Surfaced`].
 
+use crate::source::Source;
 use crate::surface::{Common, SurfaceArgs, Surfaced};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::editor::fourier;
 use grafika::file::{CurveSettings, Document, Method as MethodName, PlanePoints};
 use grafika::geometry::{Closure, Curve, Fourier, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
-use grafika::launch::{Failure, Opened, open};
-use std::path::PathBuf;
+use grafika::launch::{Failure, Opened};
 
 /// A file with a method and its parameters.
 #[derive(Args)]
 pub(crate) struct CurveArgs {
-    /// A data file or a built-in sample with control points
-    file: PathBuf,
+    #[command(flatten)]
+    source: Source,
     /// Method; without it the one that the file implies or, in JSON, names
     #[arg(long, value_parser = method_names())]
     method: Option<String>,
@@ -51,7 +51,7 @@ pub(crate) enum Curved {
 impl CurveArgs {
     /// Opens the file and makes the curve or surface that it describes.
     pub(crate) fn curve(&self) -> Result<Curved, Failure> {
-        let opened = open(&self.file)?;
+        let opened = self.source.open()?;
         let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
         let is_net = matches!(opened.document, Document::Net(_));
         if let Some(option) = self.surface.given().filter(|_| !is_net) {

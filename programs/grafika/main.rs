@@ -40,6 +40,8 @@ mod gr_kz_o;
 mod gr_kz_x;
 #[path = "../gyongy_k.rs"]
 mod gyongy_k;
+#[path = "../telepit.rs"]
+mod telepit;
 #[path = "../vjs.rs"]
 mod vjs;
 #[path = "../zm_betsp.rs"]
@@ -62,19 +64,25 @@ mod zy_spln;
 mod convert;
 mod curve;
 mod menu;
+mod reference;
 mod render;
 mod sample;
 mod smooth;
 mod solve;
+mod source;
 mod surface;
+#[cfg(feature = "terminal")]
+mod terminal_menu;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Program, RunOptions, exit, open, write_output};
+use grafika::launch::{Failure, Options, Program, RunOptions, exit, write_output};
+use source::Source;
 use std::ffi::OsString;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::Path;
 use std::process::ExitCode;
+use telepit::groups;
 
 /// Every program, in the order of the book.
 const PROGRAMS: &[Program] = &[
@@ -107,11 +115,12 @@ const PROGRAMS: &[Program] = &[
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,
+    telepit::PROGRAM,
 ];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]
-#[command(name = "grafika", version, args_conflicts_with_subcommands = true)]
+#[command(name = "grafika", version, args_conflicts_with_subcommands = true, after_help = EXAMPLES)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -119,15 +128,31 @@ struct Cli {
     options: RunOptions,
 }
 
+const EXAMPLES: &str = "Examples:
+  grafika
+  grafika gb_2d_ip A.IP2
+  grafika --display terminal
+  grafika render A.IP2 --method spline --closed -o a.svg";
+
+const INFO_EXAMPLES: &str = "Examples:
+  grafika info A.IP2
+  cat a.json | grafika info - --from json";
+
+const COMPLETIONS_EXAMPLES: &str = "Examples:
+  grafika completions bash > grafika.bash
+  grafika completions zsh gb_2d_ip > _gb_2d_ip";
+
 #[derive(Subcommand)]
 enum Command {
     /// List the programs
+    #[command(after_help = "Examples:\n  grafika list")]
     List,
+    /// Open a data file with its program; without a file, the menu
+    #[command(after_help = "Examples:\n  grafika open A.ZMS\n  grafika open a.json --lang en")]
+    Open(Options),
     /// Tell what a data file holds
-    Info {
-        /// A data file or a built-in sample
-        file: PathBuf,
-    },
+    #[command(after_help = INFO_EXAMPLES)]
+    Info(Source),
     /// Write points of a curve or a surface as CSV or JSON
     Sample(sample::Sample),
     /// Draw a curve or a surface as PNG, SVG or PDF; write a surface as OBJ, STL, PLY or STEP
@@ -138,6 +163,15 @@ enum Command {
     Smooth(smooth::Smooth),
     /// Tell the moves that finish a puzzle, or count the ways
     Solve(solve::Solve),
+    /// Install programs with their samples into a folder, on a page of text or as a plain command
+    #[command(after_help = telepit::examples("grafika install"))]
+    Install(telepit::Install),
+    /// Write completions of the command line for a shell
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(reference::Completions),
+    /// Write the manual pages of grafika, its commands and the programs
+    #[command(after_help = "Examples:\n  grafika man\n  grafika man share/man/man1")]
+    Man(reference::Manuals),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]
     Program(Vec<OsString>),
@@ -148,12 +182,16 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
+    if let Some(words) = linked_name() {
+        return run_program(words);
+    }
     let cli = Cli::try_parse()?;
     match cli.command {
-        None => menu::MENU.start(&cli.options.with_file(None)),
+        None => show_menu(&cli.options),
         Some(Command::List) => write_output(None, list().as_bytes()),
-        Some(Command::Info { file }) => {
-            let opened = open(&file)?;
+        Some(Command::Open(options)) => open_with_program(&options),
+        Some(Command::Info(source)) => {
+            let opened = source.open()?;
             let lines = opened.document.describe().join("\n");
             write_output(None, format!("{lines}\n").as_bytes())
         }
@@ -162,7 +200,54 @@ fn run() -> Result<(), Failure> {
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Solve(solve)) => solve.run(),
+        Some(Command::Install(install)) => install.run(),
+        Some(Command::Completions(completions)) => completions.run(),
+        Some(Command::Man(manuals)) => manuals.run(),
         Some(Command::Program(words)) => run_program(words),
+    }
+}
+
+/// The menu: in the terminal a page of text, elsewhere a picture.
+fn show_menu(options: &RunOptions) -> Result<(), Failure> {
+    #[cfg(feature = "terminal")]
+    if grafika::launch::in_terminal(options) {
+        return terminal_menu::run(options, &|program, options| match program.manual.name {
+            "telepit" => telepit::Install::shown(options).run(),
+            _ => program.start(&options.with_file(None)),
+        });
+    }
+    menu::MENU.start(&options.with_file(None))
+}
+
+/// Starts the program that a data file belongs to.
+fn open_with_program(options: &Options) -> Result<(), Failure> {
+    let Some(file) = &options.file else { return show_menu(&options.run) };
+    let format = grafika::launch::open(file)?.document.format();
+    let belongs = |program: &&Program| {
+        let first = format.programs().first();
+        first.is_some_and(|name| name.eq_ignore_ascii_case(program.manual.name))
+    };
+    match PROGRAMS.iter().find(belongs) {
+        Some(program) => program.start(options),
+        None => Err(Failure::work(format!("{}: no program opens {}", file.display(), format.english()))),
+    }
+}
+
+/// The command line, if this executable was started under the name of a program, as a link to it is.
+fn linked_name() -> Option<Vec<OsString>> {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    let name = Path::new(words.first()?).file_stem()?.to_string_lossy().to_lowercase();
+    PROGRAMS.iter().any(|program| program.manual.name == name).then(|| {
+        // The name, for messages, without the folders before it.
+        [OsString::from(name)].into_iter().chain(words.into_iter().skip(1)).collect()
+    })
+}
+
+/// The command line of a program.
+fn command_of(program: &Program) -> clap::Command {
+    match program.manual.name {
+        "telepit" => telepit::described(),
+        _ => program.command(),
     }
 }
 
@@ -180,6 +265,7 @@ fn list() -> String {
 fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
     let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
     match PROGRAMS.iter().find(|program| program.manual.name == name) {
+        Some(program) if program.manual.name == "telepit" => telepit::start_from(words),
         Some(program) => program.start_from(words),
         None => {
             let programs: Vec<&str> = PROGRAMS.iter().map(|program| program.manual.name).collect();
@@ -192,5 +278,23 @@ fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
             );
             Err(Cli::command().error(ErrorKind::InvalidSubcommand, message).into())
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use groups::GROUPS;
+
+    #[test]
+    fn every_program_is_in_one_group() {
+        let grouped: Vec<&str> = GROUPS.iter().flat_map(|group| group.programs.iter().copied()).collect();
+        for program in PROGRAMS {
+            let name = program.manual.name;
+            assert_eq!(grouped.iter().filter(|known| **known == name).count(), 1, "{name}");
+            let group = GROUPS.iter().find(|group| group.programs.contains(&name)).expect("just counted");
+            assert!(program.chapter.starts_with(group.chapter), "{name}: {}", program.chapter);
+        }
+        assert_eq!(grouped.len(), PROGRAMS.len());
     }
 }

@@ -10,17 +10,24 @@ use grafika::figure::{
 };
 use grafika::file::SPACE_VIEW;
 use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, View};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
 #[derive(Args)]
+#[command(after_help = "Examples:
+  grafika render A.IP2 --method spline --closed -o a.svg
+  grafika render A.ZMS -o ball.step
+  grafika render - --from ip2 --method bezier -o - --to png > a.png")]
 pub(crate) struct Render {
     #[command(flatten)]
     curve: CurveArgs,
     /// Where to write: a picture .png .svg .pdf, a surface as a mesh .obj .stl .ply or exactly .step
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
+    /// Format of what is written (png, svg, pdf, obj, stl, ply, step), where no name says it
+    #[arg(long, value_name = "EXT", value_parser = Format::parse)]
+    to: Option<Format>,
     /// Width of the picture in pixels
     #[arg(long, value_name = "N", default_value_t = NOMINAL_WIDTH,
         value_parser = clap::value_parser!(u32).range(i64::from(SMALLEST_WIDTH)..=i64::from(LARGEST_WIDTH)))]
@@ -51,10 +58,18 @@ pub(crate) struct Render {
 impl Render {
     /// Draws and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let format = Format::of(&self.output)?;
+        let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
         let curved = self.curve.curve()?;
+        let alive = progress::alive("drawing");
+        let content = self.content(curved, format)?;
+        drop(alive);
+        write_output(Some(&self.output), &content)
+    }
+
+    /// What is written.
+    fn content(&self, curved: Curved, format: Format) -> Result<Vec<u8>, Failure> {
         if let Curved::Surface(surfaced) = &curved {
-            return write_output(Some(&self.output), &self.surface(surfaced, format)?);
+            return self.surface(surfaced, format);
         }
         if format.is_model() {
             let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
@@ -92,10 +107,9 @@ impl Render {
                 self.measure(&mut figure, view, bounds);
                 figure
             }
-            // Written above.
-            Curved::Surface(_) => return Ok(()),
+            Curved::Surface(surfaced) => return self.surface(&surfaced, format),
         };
-        write_output(Some(&self.output), &self.picture(&figure, format)?)
+        self.picture(&figure, format)
     }
 
     fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {
@@ -197,7 +211,7 @@ impl Render {
 }
 
 /// What is written, by the extension.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
     Png,
     Svg,
@@ -210,19 +224,28 @@ enum Format {
 
 impl Format {
     fn of(path: &std::path::Path) -> Result<Format, Failure> {
-        match extension(Some(path)).as_deref() {
-            Some("png") => Ok(Format::Png),
-            Some("svg") => Ok(Format::Svg),
-            Some("pdf") => Ok(Format::Pdf),
-            Some("obj") => Ok(Format::Obj),
-            Some("stl") => Ok(Format::Stl),
-            Some("ply") => Ok(Format::Ply),
-            Some("step" | "stp") => Ok(Format::Step),
-            _ => Err(Failure::usage(format!(
-                "-o {}: pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step",
-                path.display()
-            ))),
-        }
+        let Some(extension) = extension(Some(path)) else {
+            return Err(Failure::usage("-o - has no extension: say what to write, as in --to png"));
+        };
+        Format::parse(&extension).map_err(|why| Failure::usage(format!("-o {}: {why}", path.display())))
+    }
+
+    /// The format of an extension without its dot, in any case.
+    fn parse(extension: &str) -> Result<Format, String> {
+        Ok(match extension.to_lowercase().as_str() {
+            "png" => Format::Png,
+            "svg" => Format::Svg,
+            "pdf" => Format::Pdf,
+            "obj" => Format::Obj,
+            "stl" => Format::Stl,
+            "ply" => Format::Ply,
+            "step" | "stp" => Format::Step,
+            _ => {
+                return Err(
+                    "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step".to_owned()
+                );
+            }
+        })
     }
 
     fn is_model(self) -> bool {

@@ -1,10 +1,11 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
 use crate::curve::{CurveArgs, Curved};
+use crate::source::is_stream;
 use clap::Args;
 use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
 use grafika::geometry::{GeometryError, Sample as Place, SurfaceSample};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
 /// Steps a span of a surface, as most programs of the book draw them.
@@ -12,6 +13,10 @@ pub(crate) const SURFACE_STEPS: u32 = 10;
 
 /// The command line of `grafika sample`.
 #[derive(Args)]
+#[command(after_help = "Examples:
+  grafika sample A.IP2 --method spline --closed --per-span 20
+  grafika sample A.ZMS -o a.json
+  cat six.json | grafika sample - --from json --method bspline3 -o - --to json > points.json")]
 pub(crate) struct Sample {
     #[command(flatten)]
     curve: CurveArgs,
@@ -21,13 +26,18 @@ pub(crate) struct Sample {
     /// Where to write; .csv or .json [default: CSV on standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    /// Format of what is written, csv or json, where no name says it
+    #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
+    to: Option<String>,
 }
 
 impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let steps = self.per_span.unwrap_or(50) as usize;
-        let text = match self.curve.curve()? {
+        let curved = self.curve.curve()?;
+        let alive = progress::alive("sampling");
+        let text = match curved {
             Curved::Plane(_, curve) => self.text(curve.sample(steps)),
             Curved::Varying(_, curve) => self.text(curve.sample(steps)),
             Curved::Space(_, curve) => self.text(curve.sample(steps)),
@@ -38,6 +48,7 @@ impl Sample {
                 self.table(samples.into_iter(), surface_csv, surface_json)
             }
         }?;
+        drop(alive);
         write_output(self.output.as_deref(), text.as_bytes())
     }
 
@@ -49,7 +60,8 @@ impl Sample {
 
     /// The rows in the format of the output.
     fn table<I>(&self, rows: I, csv: fn(I) -> String, json: fn(I) -> String) -> Result<String, Failure> {
-        match extension(self.output.as_deref()).as_deref() {
+        let said = self.to.as_ref().map(|said| said.to_lowercase());
+        match said.or_else(|| extension(self.output.as_deref())).as_deref() {
             None | Some("csv") => Ok(csv(rows)),
             Some("json") => Ok(json(rows)),
             Some(other) => {
@@ -61,6 +73,6 @@ impl Sample {
 
 /// The extension of an output file in lower case; none for standard output.
 pub(crate) fn extension(path: Option<&std::path::Path>) -> Option<String> {
-    let path = path.filter(|path| *path != std::path::Path::new("-"))?;
+    let path = path.filter(|path| !is_stream(path))?;
     Some(path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default())
 }

@@ -1,20 +1,31 @@
 //! `grafika smooth`: measured points smoothed by a B-spline and a Bézier curve (section 2.3.8).
 
+use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{DENSITY, GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
-use grafika::launch::{Failure, kind_of, open, write_output};
-use std::path::{Path, PathBuf};
+use grafika::launch::{Failure, open_as, progress, write_output};
+use std::path::PathBuf;
 
 /// The command line of `grafika smooth`.
 #[derive(Args)]
+#[command(after_help = "Examples:
+  grafika smooth Y.IP2 -o y.csv
+  grafika smooth Y.IP2 --stage bspline -o smooth.ip2
+  cat measured.csv | grafika smooth - --from csv -o - > smooth.csv")]
 pub(crate) struct Smooth {
-    /// Measured points: .IP2, .IC2, .IP3, .csv with the header x,y or x,y,z, .json, or a built-in sample
+    /// Measured points: .IP2, .IC2, .IP3, .csv with the header x,y or x,y,z, .json, a built-in sample, or - for
+    /// standard input
     input: PathBuf,
+    #[command(flatten)]
+    from: InputFormat,
     /// Where to write the points: .csv and .json as they are, .IP3, .IP2 and .IC2 rounded to whole numbers
     /// (which must lie in the field of 560x380); - is CSV on standard output
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
+    /// Format of what is written, where no name says it [default on standard output: csv]
+    #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]
+    to: Option<FileKind>,
     /// The step or both steps to take
     #[arg(long, value_enum, value_name = "STAGE", default_value_t = StageName::Both)]
     stage: StageName,
@@ -37,9 +48,10 @@ enum StageName {
 impl Smooth {
     /// Smooths, writes, and says how far the points have moved.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let to_stdout = self.output == Path::new("-");
-        let kind = if to_stdout { FileKind::Csv } else { kind_of(&self.output)? };
-        let opened = open(&self.input)?;
+        let to_stdout = is_stream(&self.output);
+        let kind = output_kind(&self.output, self.to.or(to_stdout.then_some(FileKind::Csv)))?;
+        let opened = open_as(&self.input, self.from.from)?;
+        let alive = progress::alive("smoothing");
         let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
         let (document, residuals) = match &opened.document {
             Document::PlanePoints(plane) => {
@@ -57,6 +69,7 @@ impl Smooth {
                 )));
             }
         };
+        drop(alive);
         let document = match kind {
             FileKind::Dos(format) => document.adapted(format),
             FileKind::Json | FileKind::Csv => document,

@@ -1,8 +1,9 @@
 //! `grafika solve`: moves that solve a puzzle, and the number of ways.
 
+use crate::source::InputFormat;
 use clap::Args;
 use grafika::file::{CsangoCube, Document};
-use grafika::launch::{Failure, open, write_output};
+use grafika::launch::{Failure, open_as, progress, read_stdin, write_output};
 use grafika::puzzle::cube::{Count, PIECES, Progress, Rules, Search as Filling, Way, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use std::path::Path;
@@ -20,9 +21,17 @@ const IN_LINE: usize = 20;
 
 /// The command line of `grafika solve`.
 #[derive(Args)]
+#[command(after_help = "Examples:
+  grafika solve MCEM
+  grafika solve FILE.CSK --rigid
+  grafika solve --count A.CSK
+  cat wheel.gyk | grafika solve - --from gyk")]
 pub(crate) struct Solve {
-    /// A file of a puzzle (.GYK, .CSK), a position as a program shows it, or moves from the solved wheel (MCEM)
+    /// A file of a puzzle (.GYK, .CSK), a position as a program shows it, moves from the solved wheel (MCEM), or -
+    /// for standard input: such a text, or a file with --from
     puzzle: String,
+    #[command(flatten)]
+    from: InputFormat,
     /// Count the ways to fill the cube around the pieces that lie in its place; without any, up to rotations
     #[arg(long)]
     count: bool,
@@ -37,15 +46,18 @@ pub(crate) struct Solve {
 impl Solve {
     /// Solves and tells.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        // A file has an extension, a text has no point.
-        if !self.puzzle.contains('.') {
-            // The cube's text is the longer one, whatever stands in it.
-            return match self.puzzle.trim().chars().count() == CUBE_TEXT {
-                true => self.write_cube(&self.puzzle.parse().map_err(|error| self.problem(error))?),
-                false => self.wheel(&wheel_of_text(&self.puzzle)?),
-            };
+        let from = self.from.from;
+        if self.puzzle == "-" && from.is_none() {
+            let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
+            let text = read_stdin().map_err(|error| failure(error.to_string()))?;
+            let text = String::from_utf8(text).map_err(|_| failure("the text is not UTF-8".to_owned()))?;
+            return self.text(text.trim());
         }
-        match open(Path::new(&self.puzzle))?.document {
+        // A file has an extension, a text has no point.
+        if !self.puzzle.contains('.') && from.is_none() {
+            return self.text(self.puzzle.trim());
+        }
+        match open_as(Path::new(&self.puzzle), from)?.document {
             Document::BeadWheel(wheel) => {
                 self.wheel(&Wheel::try_from(&wheel).map_err(|error| self.problem(error))?)
             }
@@ -54,6 +66,15 @@ impl Solve {
                 let what = other.format().english();
                 Err(self.problem(format!("{what}; there are solvers for .GYK and .CSK")))
             }
+        }
+    }
+
+    /// A position or moves that are given as text.
+    fn text(&self, text: &str) -> Result<(), Failure> {
+        // The cube's text is the longer one, whatever stands in it.
+        match text.chars().count() == CUBE_TEXT {
+            true => self.write_cube(&text.parse().map_err(|error| self.problem(error))?),
+            false => self.wheel(&wheel_of_text(text)?),
         }
     }
 
@@ -69,13 +90,16 @@ impl Solve {
             ));
         }
         let mut solver = Solver::new(*wheel);
+        let alive = progress::alive("searching");
         loop {
             let progress = solver.step(PIECE);
+            alive.say(format!("searching: {} million positions", progress.spent / 1_000_000));
             let content = progress.best.is_some() && progress.spent >= ENOUGH;
             if progress.search == Search::Done || content {
                 break;
             }
         }
+        drop(alive);
         let at_least = solver.progress().at_least;
         let solution = solver.solution().ok_or_else(|| self.problem("no solution was found"))?;
         let proof = match solution.proven {
@@ -104,6 +128,7 @@ impl Solve {
             return Ok("the cube is finished\n".to_owned());
         }
         let rules = if self.rigid { Rules::Rigid } else { Rules::Book };
+        let _alive = progress::alive("searching");
         // What lies in the cube's place stays if it can; else all comes out.
         let found = [placed, Vec::new()].into_iter().find_map(|fixed| {
             let mut search = Filling::new(&fixed, 0);
@@ -121,6 +146,7 @@ impl Solve {
         let available = std::thread::available_parallelism().map_or(1, |number| number.get());
         let threads = self.threads.map_or(available, usize::from);
         let (next, total) = (AtomicUsize::new(0), AtomicU64::new(0));
+        let bar = progress::bar("counting", count.parts());
         std::thread::scope(|scope| {
             for _ in 0..threads {
                 scope.spawn(|| {
@@ -130,6 +156,7 @@ impl Solve {
                             break;
                         }
                         total.fetch_add(count.part(part).finish(), Ordering::Relaxed);
+                        bar.advance();
                     }
                 });
             }

@@ -17,7 +17,12 @@ impl FileKind {
     /// The kind of a file by its name; the case does not matter.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
-        let (_, extension) = name.rsplit_once('.')?;
+        name.rsplit_once('.').and_then(|(_, extension)| Self::from_extension(extension))
+    }
+
+    /// The kind of files with this extension, given without the dot; the case does not matter.
+    #[must_use]
+    pub fn from_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
             "json" => Some(Self::Json),
             "csv" => Some(Self::Csv),

@@ -6,7 +6,7 @@ use super::{DisplayKind, Failure, RunOptions};
 use crate::machine::window;
 use crate::machine::{Recorder, Script, Session, play};
 use std::fs::File;
-use std::io::Read;
+use std::io::{IsTerminal, Read};
 use std::path::Path;
 
 /// Shows a session until it has ended.
@@ -26,6 +26,25 @@ pub(super) fn show(mut session: Session, name: &str, options: &RunOptions) -> Re
     shown?;
     saved.map_err(Failure::work)?;
     recorded.map_err(|error| Failure::work(format!("{}: {error}", path_of(options.record.as_deref()))))
+}
+
+/// Whether input and output are a terminal that a program can be shown in.
+pub fn has_terminal() -> bool {
+    cfg!(feature = "terminal") && std::io::stdin().is_terminal() && std::io::stdout().is_terminal()
+}
+
+/// Whether a session with these options comes to be shown in a terminal, without being recorded: then pages of
+/// text serve as well as pictures.
+pub fn in_terminal(options: &RunOptions) -> bool {
+    #[cfg(feature = "window")]
+    let window = window::window_possible();
+    #[cfg(not(feature = "window"))]
+    let window = false;
+    let wished = match options.display {
+        Some(kind) => kind == DisplayKind::Terminal,
+        None => !window,
+    };
+    has_terminal() && wished && options.script.is_none() && options.record.is_none()
 }
 
 fn path_of(path: Option<&Path>) -> String {

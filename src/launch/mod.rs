@@ -8,15 +8,17 @@ mod failure;
 mod open;
 mod options;
 mod outlet;
+pub mod progress;
 
+pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
-pub use open::{Opened, kind_of, open};
+pub use open::{Opened, kind_of, open, open_as, read_stdin};
 use open::{folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::write_output;
 
-use crate::file::Document;
-use crate::machine::{Language, Machine, Quit, Session};
+use crate::file::{Document, Format};
+use crate::machine::{Language, Machine, Quit, SAMPLES, Session};
 use crate::ui::{Manual, Phrase};
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
@@ -33,6 +35,20 @@ pub type Run<'m> = Pin<Box<dyn Future<Output = Result<(), Quit>> + 'm>>;
 /// Always: that it takes none.
 pub fn no_file(_: &Document) -> Result<(), Phrase> {
     Err(Phrase::new("ez a program file nélkül működik", "this program takes no file"))
+}
+
+/// Examples of a program's command line, with a sample where it has one.
+fn examples(name: &str) -> String {
+    let reads = |format: &&Format| format.programs().iter().any(|program| program.eq_ignore_ascii_case(name));
+    let sample = |format: &Format| {
+        let has = |(file, _): &&(&'static str, _)| Format::from_name(file) == Some(*format);
+        SAMPLES.iter().find(has).map(|(file, _)| *file)
+    };
+    let file = Format::ALL.iter().filter(reads).find_map(sample);
+    let with_file = file.map(|file| format!("  {name} {file}\n")).unwrap_or_default();
+    format!(
+        "Examples:\n  {name}\n{with_file}  {name} --lang en --display terminal\n  {name} --script demo.txt"
+    )
 }
 
 /// A program of the book.
@@ -59,10 +75,15 @@ impl Program {
     /// # Errors
     /// [`Failure`] when the command line is wrong, or a file, a script or a display does not work.
     pub fn start_from(&self, arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure> {
-        let command = Command::new(self.manual.name).about(self.manual.about.1);
-        let command = Options::augment_args(command).version(env!("CARGO_PKG_VERSION"));
-        let matches = command.try_get_matches_from(arguments)?;
+        let matches = self.command().try_get_matches_from(arguments)?;
         self.start(&Options::from_arg_matches(&matches)?)
+    }
+
+    /// The program's command line as it is described: help, completions and manual page come from it.
+    pub fn command(&self) -> Command {
+        // The options bring a line of their own with them, which is about options.
+        let command = Options::augment_args(Command::new(self.manual.name)).about(self.manual.about.1);
+        command.version(env!("CARGO_PKG_VERSION")).after_help(examples(self.manual.name))
     }
 
     /// Starts the program with the options of a command line and stays until it has ended.
@@ -73,7 +94,7 @@ impl Program {
         let path = options.file.as_deref();
         let mut machine = options.run.machine(path.map(folder_of).unwrap_or_default());
         // Through the machine's own storage, which remembers what was read.
-        let opened = path.map(|path| open_in(machine.storage(), path)).transpose()?;
+        let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
         if let Some(opened) = &opened {
             (self.check)(&opened.document).map_err(|problem| {
                 Failure::work(format!("{}: {}", opened.name, problem.of(Language::English)))

@@ -3,7 +3,8 @@
 use super::Failure;
 use crate::editor::plane::with_twin;
 use crate::file::{Document, FileKind, Format};
-use crate::machine::{Folder, Storage};
+use crate::machine::{Folder, LARGEST_FILE, Storage};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// A document with where it came from.
@@ -25,7 +26,19 @@ pub struct Opened {
 /// # Errors
 /// [`Failure`] with the name and what is wrong: no such file, an unknown extension, a wrong content.
 pub fn open(path: &Path) -> Result<Opened, Failure> {
-    open_in(&Folder::new(folder_of(path)), path)
+    open_as(path, None)
+}
+
+/// As [`open`], with the kind of the file where its name does not say it; `-` is standard input, whose kind
+/// has to be said.
+///
+/// # Errors
+/// Those of [`open`], and when `-` comes without a kind.
+pub fn open_as(path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
+    if path == Path::new("-") {
+        return open_stdin(from);
+    }
+    open_in(&Folder::new(folder_of(path)), path, from)
 }
 
 /// The folder of a path.
@@ -34,7 +47,11 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
 }
 
 /// Opens a data file by its path, through the storage of its folder.
-pub(super) fn open_in(storage: &dyn Storage, path: &Path) -> Result<Opened, Failure> {
+pub(super) fn open_in(
+    storage: &dyn Storage,
+    path: &Path,
+    from: Option<FileKind>,
+) -> Result<Opened, Failure> {
     let name = path.display().to_string();
     let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else {
         return Err(Failure::work(format!("{name:?} is not the name of a file")));
@@ -48,10 +65,32 @@ pub(super) fn open_in(storage: &dyn Storage, path: &Path) -> Result<Opened, Fail
         true => Failure::work(format!("{error}, neither in this folder nor among the built-in samples")),
         false => Failure::work(format!("{}: {error}", folder.display())),
     })?;
-    let document = Document::decode(kind_of(path)?, &content)
-        .map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
+    let kind = from.map_or_else(|| kind_of(path), Ok)?;
+    let document =
+        Document::decode(kind, &content).map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
     let document = with_twin(document, storage, file_name);
     Ok(Opened { name, file_name: file_name.to_string(), folder, document })
+}
+
+fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
+    let kind = from.ok_or_else(|| Failure::usage("- has no extension: say what comes, as in --from ip2"))?;
+    let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
+    let content = read_stdin().map_err(|error| failure(error.to_string()))?;
+    let document = Document::decode(kind, &content).map_err(|problem| failure(problem.to_string()))?;
+    Ok(Opened { name: "standard input".to_owned(), file_name: String::new(), folder: PathBuf::new(), document })
+}
+
+/// All of standard input, if it is no longer than any data file.
+///
+/// # Errors
+/// The system's, and when there is more.
+pub fn read_stdin() -> std::io::Result<Vec<u8>> {
+    let mut content = Vec::new();
+    std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut content)?;
+    if content.len() as u64 > LARGEST_FILE {
+        return Err(std::io::Error::other(format!("it is longer than any data file ({LARGEST_FILE} bytes)")));
+    }
+    Ok(content)
 }
 
 /// The kind of a file by its name.

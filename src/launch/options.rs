@@ -66,6 +66,16 @@ impl RunOptions {
         }
     }
 
+    /// These options with a language.
+    #[must_use]
+    pub fn in_language(&self, language: Language) -> RunOptions {
+        let code = match language {
+            Language::Hungarian => Code::Hu,
+            Language::English => Code::En,
+        };
+        RunOptions { lang: Some(code), ..self.clone() }
+    }
+
     /// These options with a file, or without.
     pub fn with_file(&self, file: Option<PathBuf>) -> Options {
         Options { file, run: self.clone() }

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// More than any data file can have; a larger file is refused before it fills the memory.
-pub(super) const LARGEST_FILE: u64 = 64 * 1024 * 1024;
+pub const LARGEST_FILE: u64 = 64 * 1024 * 1024;
 
 /// The files of one folder.
 #[derive(Clone, Debug)]

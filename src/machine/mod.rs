@@ -42,7 +42,7 @@ pub mod window;
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
 #[cfg(feature = "native")]
-pub use folder::{Folder, write_safely};
+pub use folder::{Folder, LARGEST_FILE, write_safely};
 pub use port::Wait;
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};

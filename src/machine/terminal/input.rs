@@ -167,7 +167,8 @@ fn button(button: MouseButton) -> Button {
     }
 }
 
-fn plain(code: KeyCode) -> Option<Key> {
+/// The key of a program for a key of the terminal without Ctrl and Alt.
+pub(super) fn plain(code: KeyCode) -> Option<Key> {
     Some(match code {
         KeyCode::Char(typed) if !typed.is_control() => Key::Char(typed),
         KeyCode::F(number @ 1..=12) => Key::F(number),

@@ -8,10 +8,13 @@ mod answers;
 mod blocks;
 mod graphics;
 mod input;
+mod lines;
 mod place;
 mod tty;
 
 pub use input::{KEY_HELP, KeyHelp};
+pub use lines::{LineEvent, Lines};
+pub use tty::Signals;
 
 use super::Language;
 use super::event::Event;

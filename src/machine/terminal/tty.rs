@@ -28,25 +28,61 @@ const PIXEL_MOUSE: [&[u8]; 2] = [b"\x1b[?1016h", b"\x1b[?1016l"];
 /// A terminal in the modes of the display; dropped, it is as before.
 pub(super) struct Tty {
     pub(super) answers: Answers,
+    signals: Signals,
+}
+
+/// Has the wish to end the process noted instead of carried out, until it is dropped: so that the terminal, or
+/// whatever else is under way, can be put in order.
+#[derive(Debug)]
+pub struct Signals {
     /// Set when the process is asked to end.
     stop: Arc<AtomicBool>,
     #[cfg(unix)]
-    signals: Vec<signal_hook::SigId>,
+    watched: Vec<signal_hook::SigId>,
+}
+
+impl Signals {
+    /// Watches from now on. Where there are no signals, none come.
+    pub fn watch() -> Signals {
+        let stop = Arc::new(AtomicBool::new(false));
+        Signals {
+            #[cfg(unix)]
+            watched: watch(&stop),
+            stop,
+        }
+    }
+
+    /// Whether the process has been asked to end.
+    pub fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+impl Drop for Signals {
+    fn drop(&mut self) {
+        #[cfg(unix)]
+        for &signal in &self.watched {
+            signal_hook::low_level::unregister(signal);
+        }
+    }
 }
 
 impl Tty {
     /// Puts the terminal into the modes of the display and asks what it can do.
     pub(super) fn open() -> Result<Tty, TerminalError> {
+        Tty::open_with(ask)
+    }
+
+    /// The same without asking: for lines of characters, which every terminal shows.
+    pub(super) fn open_plain() -> Result<Tty, TerminalError> {
+        Tty::open_with(|| Ok(Answers::default()))
+    }
+
+    fn open_with(ask: impl FnOnce() -> Result<Answers, TerminalError>) -> Result<Tty, TerminalError> {
         if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
             return Err(TerminalError::NoTerminal);
         }
-        let stop = Arc::new(AtomicBool::new(false));
-        let mut tty = Tty {
-            #[cfg(unix)]
-            signals: watch(&stop),
-            stop,
-            answers: Answers::default(),
-        };
+        let mut tty = Tty { signals: Signals::watch(), answers: Answers::default() };
         // From here on every way out passes the drop, which undoes more than may have been done.
         terminal::enable_raw_mode()?;
         execute!(io::stdout(), EnterAlternateScreen, cursor::Hide)?;
@@ -84,7 +120,7 @@ impl Tty {
         let mut events = Vec::new();
         // What has been read already would not wake anybody.
         let mut pause = if crossterm::event::poll(Duration::ZERO)? { Duration::ZERO } else { wait(longest)? };
-        if self.stop.load(Ordering::Relaxed) {
+        if self.signals.stopped() {
             return Err(TerminalError::Stopped);
         }
         while crossterm::event::poll(pause)? {
@@ -113,14 +149,9 @@ impl Drop for Tty {
             queue!(out, DisableMouseCapture, terminal::EnableLineWrap, LeaveAlternateScreen, cursor::Show);
         let _ = out.flush();
         let _ = terminal::disable_raw_mode();
-        #[cfg(unix)]
-        for &signal in &self.signals {
-            signal_hook::low_level::unregister(signal);
-        }
     }
 }
 
-/// Has the wish to end the process noted instead of carried out, so that the terminal can be put in order.
 #[cfg(unix)]
 fn watch(stop: &Arc<AtomicBool>) -> Vec<signal_hook::SigId> {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};

@@ -1,0 +1,280 @@
+//! The whole command line with the programs as commands, for everything that describes it: shell completions and
+//! manual pages come from the same table that is parsed.
+
+use crate::{Cli, PROGRAMS, command_of};
+use clap::{Args, CommandFactory, ValueEnum};
+use clap_complete::Shell;
+use clap_mangen::Man;
+use clap_mangen::roff::{Roff, bold, roman};
+use grafika::launch::{Failure, write_output};
+use grafika::ui::Manual;
+use std::path::PathBuf;
+
+/// Shells by name.
+#[derive(Clone, Copy, ValueEnum)]
+pub(crate) enum ShellName {
+    /// GNU Bash
+    Bash,
+    /// Elvish
+    Elvish,
+    /// fish
+    Fish,
+    /// PowerShell
+    Powershell,
+    /// Z shell
+    Zsh,
+}
+
+impl ShellName {
+    fn shell(self) -> Shell {
+        match self {
+            ShellName::Bash => Shell::Bash,
+            ShellName::Elvish => Shell::Elvish,
+            ShellName::Fish => Shell::Fish,
+            ShellName::Powershell => Shell::PowerShell,
+            ShellName::Zsh => Shell::Zsh,
+        }
+    }
+}
+
+/// The command line of `grafika completions`.
+#[derive(Args)]
+pub(crate) struct Completions {
+    /// The shell
+    shell: ShellName,
+    /// A program that has a command of its own [default: grafika with all programs]
+    #[arg(value_name = "PROGRAM")]
+    program: Option<String>,
+}
+
+/// The command line of `grafika man`.
+#[derive(Args)]
+pub(crate) struct Manuals {
+    /// Folder for all pages; without it the page of grafika goes to standard output
+    #[arg(value_name = "DIR")]
+    folder: Option<PathBuf>,
+}
+
+/// The command line of `grafika` with every program as a command.
+pub(crate) fn whole() -> clap::Command {
+    let mut whole = Cli::command().subcommands(PROGRAMS.iter().map(command_of));
+    whole.build();
+    whole
+}
+
+impl Completions {
+    /// Writes the completions to standard output.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let mut command = match self.program.as_deref().map(str::to_lowercase) {
+            None => whole(),
+            Some(name) if name == "grafika" => whole(),
+            Some(name) => {
+                let program = PROGRAMS.iter().find(|program| program.manual.name == name);
+                program.map(command_of).ok_or_else(|| {
+                    Failure::usage(format!(
+                        "there is no program {name:?}; grafika list tells which there are"
+                    ))
+                })?
+            }
+        };
+        write_output(None, &completions(&mut command, self.shell))
+    }
+}
+
+fn completions(command: &mut clap::Command, shell: ShellName) -> Vec<u8> {
+    let name = command.get_name().to_owned();
+    let mut script = Vec::new();
+    clap_complete::generate(shell.shell(), command, name, &mut script);
+    script
+}
+
+impl Manuals {
+    /// Writes the pages.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let Some(folder) = &self.folder else {
+            return write_output(None, &page(&whole(), None)?);
+        };
+        std::fs::create_dir_all(folder)
+            .map_err(|error| Failure::work(format!("{}: {error}", folder.display())))?;
+        for (name, text) in pages()? {
+            write_output(Some(&folder.join(name)), &text)?;
+        }
+        Ok(())
+    }
+}
+
+/// Every page by the name of its file: `grafika.1`, `grafika-render.1`, `gb_2d_ip.1`.
+fn pages() -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let whole = whole();
+    let mut pages = vec![("grafika.1".to_owned(), page(&whole, None)?)];
+    for command in whole.get_subcommands() {
+        let name = command.get_name();
+        let program = PROGRAMS.iter().find(|program| program.manual.name == name);
+        let (title, manual) = match program {
+            Some(program) => (name.to_owned(), Some(program.manual)),
+            None => (format!("grafika-{name}"), None),
+        };
+        let command = command.clone().display_name(title.clone());
+        // A program is a command by itself, not of grafika.
+        let command = if program.is_some() { command.bin_name(title.clone()) } else { command };
+        pages.push((format!("{title}.1"), page(&command, manual)?));
+    }
+    Ok(pages)
+}
+
+/// A manual page; that of a program with its keys.
+fn page(command: &clap::Command, manual: Option<Manual>) -> Result<Vec<u8>, Failure> {
+    let man = Man::new(command.clone()).manual("Interaktív grafika");
+    let mut text = Vec::new();
+    let mut render = || -> std::io::Result<()> {
+        man.render_title(&mut text)?;
+        man.render_name_section(&mut text)?;
+        man.render_synopsis_section(&mut text)?;
+        man.render_description_section(&mut text)?;
+        man.render_options_section(&mut text)?;
+        if command.has_subcommands() {
+            man.render_subcommands_section(&mut text)?;
+        }
+        let mut own = Roff::default();
+        keys_section(manual, &mut own);
+        examples_section(command, &mut own);
+        own.to_writer(&mut text)
+    };
+    render().map_err(|error| Failure::work(format!("{}: {error}", command.get_name())))?;
+    Ok(text)
+}
+
+fn keys_section(manual: Option<Manual>, page: &mut Roff) {
+    let Some(manual) = manual.filter(|manual| !manual.keys.is_empty()) else { return };
+    page.control("SH", ["KEYS"]);
+    for (key, what) in manual.keys {
+        page.control("TP", []);
+        page.text([bold(key.1)]);
+        page.text([roman(what.1)]);
+    }
+}
+
+/// The examples of the help, line by line.
+fn examples_section(command: &clap::Command, page: &mut Roff) {
+    let Some(help) = command.get_after_help() else { return };
+    page.control("SH", ["EXAMPLES"]);
+    page.control("nf", []);
+    for line in help.to_string().lines().skip(1) {
+        page.text([roman(line.trim())]);
+    }
+    page.control("fi", []);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Command;
+
+    /// Calls `see` for a command and all below it, with the words that lead there.
+    fn walk(command: &Command, path: &str, see: &mut impl FnMut(&Command, &str)) {
+        see(command, path);
+        for below in command.get_subcommands().filter(|below| below.get_name() != "help") {
+            walk(below, &format!("{path} {}", below.get_name()), see);
+        }
+    }
+
+    #[test]
+    fn every_command_and_option_is_told_with_an_example() {
+        let mut seen = Vec::new();
+        walk(&whole(), "grafika", &mut |command, path| {
+            seen.push(path.to_owned());
+            assert!(command.get_about().is_some_and(|about| !about.to_string().is_empty()), "{path}");
+            for option in command.get_arguments() {
+                let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+                assert!(!help.is_empty(), "{path} {}", option.get_id());
+                assert!(!help.ends_with('.'), "{path} {}: {help}", option.get_id());
+            }
+            let examples = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            let name = path.rsplit_once(' ').map_or(path, |(_, name)| name);
+            assert!(examples.starts_with("Examples:\n  "), "{path}: {examples}");
+            for line in examples.lines().skip(1) {
+                assert!(line.contains(name), "{path}: {line}");
+            }
+        });
+        for command in
+            ["list", "info", "sample", "render", "convert", "smooth", "solve", "completions", "man"]
+        {
+            assert!(seen.contains(&format!("grafika {command}")), "{command}");
+        }
+        for program in PROGRAMS {
+            let name = program.manual.name;
+            assert!(seen.contains(&format!("grafika {name}")));
+            let about = command_of(program).get_about().map(ToString::to_string);
+            assert_eq!(about.as_deref(), Some(program.manual.about.1), "{name}");
+        }
+    }
+
+    #[test]
+    fn examples_are_command_lines_that_are_understood() {
+        walk(&whole(), "grafika", &mut |command, path| {
+            let examples = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            for line in examples.lines().skip(1) {
+                // What comes before a pipe or after a redirection is the shell's.
+                let line = line.rsplit_once("| ").map_or(line, |(_, line)| line);
+                let line = line.split_once(" > ").map_or(line, |(line, _)| line).trim();
+                let words: Vec<&str> = line.split_whitespace().collect();
+                let whole_line = words.first() == Some(&"grafika");
+                let matched = if whole_line {
+                    whole().try_get_matches_from(&words)
+                } else {
+                    command.clone().no_binary_name(false).try_get_matches_from(&words)
+                };
+                assert!(matched.is_ok(), "{path}: {line}: {}", matched.unwrap_err());
+            }
+        });
+    }
+
+    #[test]
+    fn completions_cover_every_command_and_option() {
+        for shell in ShellName::value_variants() {
+            let script = String::from_utf8(completions(&mut whole(), *shell)).unwrap();
+            walk(&whole(), "grafika", &mut |command, path| {
+                assert!(script.contains(command.get_name()), "{path}");
+                for long in command.get_arguments().filter_map(clap::Arg::get_long) {
+                    // fish writes the dashes apart.
+                    let told =
+                        script.contains(&format!("--{long}")) || script.contains(&format!("-l {long}"));
+                    assert!(told, "{path} --{long}");
+                }
+            });
+        }
+    }
+
+    #[test]
+    fn manual_pages_cover_every_command_and_option() {
+        let pages = pages().unwrap();
+        let text = |name: &str| {
+            let (_, text) = pages.iter().find(|(known, _)| known == name).unwrap_or_else(|| panic!("{name}"));
+            String::from_utf8(text.clone()).unwrap().replace("\\-", "-")
+        };
+        walk(&whole(), "grafika", &mut |command, path| {
+            let name = command.get_name();
+            let is_program = PROGRAMS.iter().any(|program| program.manual.name == name);
+            let page = match (path, is_program) {
+                ("grafika", _) => text("grafika.1"),
+                (_, true) => text(&format!("{name}.1")),
+                (_, false) => text(&format!("grafika-{name}.1")),
+            };
+            assert!(page.contains(".SH EXAMPLES\n"), "{path}");
+            for long in command.get_arguments().filter_map(clap::Arg::get_long) {
+                assert!(page.contains(&format!("--{long}")), "{path} --{long}");
+            }
+            if let Some(program) = PROGRAMS.iter().find(|program| program.manual.name == name) {
+                assert!(page.contains("KEYS") || program.manual.keys.is_empty(), "{path}");
+            }
+        });
+        assert_eq!(pages.len(), 1 + whole().get_subcommands().count());
+    }
+
+    #[test]
+    fn the_programs_are_no_second_command_line() {
+        // The line that is parsed finds programs by name; the whole one has to mean the same.
+        Cli::command().debug_assert();
+        whole().debug_assert();
+    }
+}

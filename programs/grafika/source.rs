@@ -1,0 +1,75 @@
+//! What a command reads and writes: files by name, or standard input and output with a format that is said.
+
+use clap::Args;
+use grafika::file::FileKind;
+use grafika::launch::{Failure, Opened, kind_of, open_as};
+use std::path::{Path, PathBuf};
+
+/// The file that a command reads.
+#[derive(Args)]
+pub(crate) struct Source {
+    /// Data file, built-in sample, or - for standard input
+    file: PathBuf,
+    #[command(flatten)]
+    from: InputFormat,
+}
+
+/// The format of what is read.
+#[derive(Args)]
+pub(crate) struct InputFormat {
+    /// Format of what is read (ip2, zms, json, csv, ...), where no name says it
+    #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]
+    pub(crate) from: Option<FileKind>,
+}
+
+impl Source {
+    /// Reads the file or standard input.
+    pub(crate) fn open(&self) -> Result<Opened, Failure> {
+        open_as(&self.file, self.from.from)
+    }
+}
+
+/// Whether a name stands for standard input or output.
+pub(crate) fn is_stream(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// The format of a file that is written: as said, else by its name.
+pub(crate) fn output_kind(path: &Path, said: Option<FileKind>) -> Result<FileKind, Failure> {
+    match said {
+        Some(kind) => Ok(kind),
+        None if is_stream(path) => {
+            Err(Failure::usage("- has no extension: say what to write, as in --to json"))
+        }
+        None => kind_of(path),
+    }
+}
+
+/// A kind of file by its extension, with or without a dot.
+pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
+    FileKind::from_extension(text.trim_start_matches('.'))
+        .ok_or_else(|| "no data file has this extension; there are ip2 ic2 ec2 gbp ip3 fhc fps fem fpb fbs zms zmb zys zyb zyp gyk csk json csv".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grafika::file::Format;
+
+    #[test]
+    fn extensions_with_and_without_a_dot() {
+        assert_eq!(kind_by_extension(".ZMS"), Ok(FileKind::Dos(Format::Zms)));
+        assert_eq!(kind_by_extension("json"), Ok(FileKind::Json));
+        let message = kind_by_extension("doc").unwrap_err();
+        for format in Format::ALL {
+            assert!(message.contains(&format.extension().to_lowercase()), "{format}");
+        }
+    }
+
+    #[test]
+    fn a_stream_needs_a_format() {
+        assert!(output_kind(Path::new("-"), None).is_err());
+        assert_eq!(output_kind(Path::new("-"), Some(FileKind::Csv)).ok(), Some(FileKind::Csv));
+        assert_eq!(output_kind(Path::new("a.json"), None).ok(), Some(FileKind::Json));
+    }
+}

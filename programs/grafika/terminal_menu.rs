@@ -1,0 +1,298 @@
+//! The menu in the terminal: the programs by groups on a page of text, found by typing, started where it stands.
+
+use crate::PROGRAMS;
+use crate::groups::{GROUPS, Group};
+use grafika::file::Format;
+use grafika::launch::{DisplayKind, Failure, Program, RunOptions};
+use grafika::machine::{Key, Language};
+use grafika::textmode::{
+    Doing, Hit, Overlay, Page, Row, Summary, TextEvent, TextProgram, chosen_after, in_terminal,
+};
+use grafika::ui::Words;
+
+const TITLE: Words = Words(
+    "GRAFIKA - Füzi János: Interaktív grafika (1997)",
+    "GRAFIKA - János Füzi: Interaktív grafika (1997)",
+);
+const LIST: Words = Words("Programok", "Programs");
+
+/// The keys of the last line.
+const KEYS: [(Key, Words, Words); 4] = [
+    (Key::Enter, Words("Enter", "Enter"), Words("indítás", "start")),
+    (Key::Down, Words("A-Z", "A-Z"), Words("keresés", "search")),
+    (Key::F(2), Words("F2", "F2"), Words("English", "magyar")),
+    (Key::Esc, Words("Esc", "Esc"), Words("vége", "end")),
+];
+
+/// Shows the menu, and the programs that are started from it, until it is left.
+pub(crate) fn run(
+    options: &RunOptions,
+    start: &dyn Fn(&Program, RunOptions) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let mut menu = Menu::new(options.language());
+    loop {
+        in_terminal(&mut menu).map_err(Failure::work)?;
+        let Some(program) = menu.started.take() else { return Ok(()) };
+        let mut options = options.in_language(menu.language);
+        options.display = Some(DisplayKind::Terminal);
+        if let Err(failure) = start(program, options) {
+            menu.message = Some(failure.to_string());
+        }
+    }
+}
+
+/// A line of the list, with what it stands for.
+enum Entry {
+    Group(&'static Group),
+    Program(&'static Program),
+}
+
+/// The menu.
+struct Menu {
+    language: Language,
+    entries: Vec<Entry>,
+    chosen: usize,
+    /// What has been typed to find a program.
+    typed: String,
+    started: Option<&'static Program>,
+    left: bool,
+    message: Option<String>,
+}
+
+impl Menu {
+    fn new(language: Language) -> Menu {
+        let of_group = |group: &'static Group| {
+            let programs = group.programs.iter();
+            let programs =
+                programs.filter_map(|name| PROGRAMS.iter().find(|program| program.manual.name == *name));
+            [Entry::Group(group)].into_iter().chain(programs.map(Entry::Program))
+        };
+        let entries = GROUPS.iter().flat_map(of_group).collect();
+        Menu { language, entries, chosen: 1, typed: String::new(), started: None, left: false, message: None }
+    }
+
+    fn program(&self) -> Option<&'static Program> {
+        match self.entries.get(self.chosen) {
+            Some(Entry::Program(program)) => Some(program),
+            _ => None,
+        }
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let row = |entry: &Entry| match entry {
+            Entry::Group(group) => {
+                Row::Heading(format!("{}. {}", group.chapter, group.name.of(self.language)))
+            }
+            Entry::Program(program) => Row::Item(format!("  {}", program.manual.name.to_uppercase())),
+        };
+        self.entries.iter().map(row).collect()
+    }
+
+    fn summary(&self) -> Summary {
+        let Some(program) = self.program() else { return Summary::default() };
+        let of = |words: Words| words.of(self.language);
+        let mut lines = vec![of(program.manual.about).to_owned(), String::new()];
+        lines.push(format!("{}: {}", of(Words("Fejezet", "Chapter")), program.chapter));
+        let samples = samples(program.manual.name);
+        if !samples.is_empty() {
+            lines.push(format!("{}: {}", of(Words("Példák", "Samples")), samples.join(" ")));
+        }
+        lines.push(String::new());
+        lines.extend(program.manual.keys.iter().map(|(key, what)| format!("{}: {}", of(*key), of(*what))));
+        Summary { title: program.manual.name.to_uppercase(), lines }
+    }
+
+    /// Chooses the first program that what is typed finds: by the beginning of its name, else by its line.
+    fn find(&self, typed: &str) -> Option<usize> {
+        let typed = folded(typed);
+        let programs = || {
+            self.entries.iter().enumerate().filter_map(|(index, entry)| match entry {
+                Entry::Program(program) => Some((index, program)),
+                Entry::Group(_) => None,
+            })
+        };
+        let by_name = programs().find(|(_, program)| program.manual.name.starts_with(&typed));
+        let by_line = || {
+            programs().find(|(_, program)| {
+                let about = folded(program.manual.about.of(self.language));
+                program.manual.name.contains(&typed) || about.contains(&typed)
+            })
+        };
+        by_name.or_else(by_line).map(|(index, _)| index)
+    }
+
+    /// What is typed goes on only as long as it finds something.
+    fn type_letter(&mut self, letter: char) {
+        let typed: String = self.typed.chars().chain([letter]).collect();
+        if let Some(index) = self.find(&typed) {
+            self.chosen = index;
+            self.typed = typed;
+        }
+    }
+
+    fn key(&mut self, key: Key) {
+        match key {
+            Key::Enter => self.started = self.program(),
+            Key::F(2) => self.language = self.language.other(),
+            Key::Esc if self.typed.is_empty() => self.left = true,
+            Key::Esc => self.typed.clear(),
+            Key::Backspace => {
+                self.typed.pop();
+                self.chosen =
+                    self.find(&self.typed).filter(|_| !self.typed.is_empty()).unwrap_or(self.chosen);
+            }
+            Key::Char(' ') if self.typed.is_empty() => {}
+            Key::Char(letter) => self.type_letter(letter),
+            _ => {}
+        }
+    }
+}
+
+/// The built-in samples that a program opens.
+fn samples(program: &str) -> Vec<&'static str> {
+    let opens = |name: &&str| {
+        let readers = Format::from_name(name).map(Format::programs).unwrap_or_default();
+        readers.iter().any(|reader| reader.eq_ignore_ascii_case(program))
+    };
+    grafika::machine::SAMPLES.iter().map(|(name, _)| *name).filter(opens).collect()
+}
+
+/// Small letters without their accents, so that a search needs no Hungarian keyboard.
+fn folded(text: &str) -> String {
+    let plain = |letter: char| match letter {
+        'á' => 'a',
+        'é' => 'e',
+        'í' => 'i',
+        'ó' | 'ö' | 'ő' => 'o',
+        'ú' | 'ü' | 'ű' => 'u',
+        other => other,
+    };
+    text.to_lowercase().chars().map(plain).collect()
+}
+
+impl TextProgram for Menu {
+    fn page(&self) -> Page {
+        let language = self.language;
+        let list = LIST.of(language);
+        let keys = KEYS.iter().map(|(_, key, what)| (key.of(language).into(), what.of(language).into()));
+        let overlay = self.message.as_ref().map(|message| Overlay::Message {
+            title: "GRAFIKA".into(),
+            lines: vec![message.clone()],
+            answers: vec![("Enter".into(), Words("tovább", "go on").of(language).into())],
+        });
+        Page {
+            language,
+            title: TITLE.of(language).to_owned(),
+            list_title: if self.typed.is_empty() {
+                list.to_owned()
+            } else {
+                format!("{list}: {}", self.typed)
+            },
+            rows: self.rows(),
+            chosen: self.chosen,
+            summary: self.summary(),
+            keys: keys.collect(),
+            overlay,
+        }
+    }
+
+    fn event(&mut self, event: TextEvent) {
+        if event == TextEvent::Close {
+            self.left = true;
+        } else if self.message.is_some() {
+            let goes_on = matches!(event, TextEvent::Key(_) | TextEvent::Click(Hit::Answer(_)));
+            self.message = self.message.take().filter(|_| !goes_on);
+        } else if event == TextEvent::Click(Hit::Row(self.chosen)) {
+            self.started = self.program();
+        } else if let Some(chosen) = chosen_after(&self.rows(), self.chosen, event) {
+            self.chosen = chosen;
+            self.typed.clear();
+        } else if let TextEvent::Key(key) = event {
+            self.key(key);
+        } else if let TextEvent::Click(Hit::Key(index)) = event
+            && let Some(&(key, ..)) = KEYS.get(index)
+        {
+            self.key(key);
+        }
+    }
+
+    fn work(&mut self) {}
+
+    fn doing(&self) -> Doing {
+        match self.left || self.started.is_some() {
+            true => Doing::Ended,
+            false => Doing::Waiting,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::telepit::golden::assert_golden;
+
+    fn type_into(menu: &mut Menu, text: &str) {
+        for letter in text.chars() {
+            menu.event(TextEvent::Key(Key::Char(letter)));
+        }
+    }
+
+    fn chosen(menu: &Menu) -> &'static str {
+        menu.program().map(|program| program.manual.name).unwrap_or_default()
+    }
+
+    #[test]
+    fn every_program_can_be_chosen_and_started() {
+        let mut menu = Menu::new(Language::English);
+        let mut seen = Vec::new();
+        for _ in PROGRAMS {
+            seen.push(chosen(&menu));
+            assert!(!menu.page().summary.lines.is_empty());
+            menu.event(TextEvent::Key(Key::Down));
+        }
+        seen.sort_unstable();
+        seen.dedup();
+        assert_eq!(seen.len(), PROGRAMS.len());
+        menu.event(TextEvent::Key(Key::Enter));
+        assert_eq!(menu.doing(), Doing::Ended);
+        assert_eq!(menu.started.map(|program| program.manual.name), Some("telepit"));
+    }
+
+    #[test]
+    fn the_page_looks_as_it_did() {
+        for (language, code) in [(Language::Hungarian, "hu"), (Language::English, "en")] {
+            let mut menu = Menu::new(language);
+            type_into(&mut menu, "zm");
+            assert_golden(&menu.page(), &format!("terminal_menu_{code}.txt"));
+        }
+    }
+
+    #[test]
+    fn typing_finds_names_and_lines() {
+        let mut menu = Menu::new(Language::Hungarian);
+        type_into(&mut menu, "GB_3");
+        assert_eq!(chosen(&menu), "gb_3d_ip");
+        menu.event(TextEvent::Key(Key::Esc));
+        assert_eq!(menu.doing(), Doing::Waiting);
+        type_into(&mut menu, "gyongyk");
+        // What finds nothing is not typed.
+        assert_eq!((chosen(&menu), menu.typed.as_str()), ("gyongy_k", "gyongyk"));
+        type_into(&mut menu, "@");
+        assert_eq!(menu.typed, "gyongyk");
+        menu.event(TextEvent::Key(Key::Backspace));
+        assert_eq!(menu.typed, "gyongy");
+        menu.event(TextEvent::Key(Key::Down));
+        assert_eq!((chosen(&menu), menu.typed.as_str()), ("csango_k", ""));
+        menu.event(TextEvent::Key(Key::Esc));
+        assert_eq!(menu.doing(), Doing::Ended);
+    }
+
+    #[test]
+    fn a_message_waits_to_be_read() {
+        let mut menu = Menu { message: Some("what went wrong".into()), ..Menu::new(Language::English) };
+        menu.event(TextEvent::Click(Hit::Row(3)));
+        assert!(menu.page().overlay.is_some());
+        menu.event(TextEvent::Key(Key::Enter));
+        assert!(menu.page().overlay.is_none() && menu.doing() == Doing::Waiting);
+    }
+}

@@ -1,0 +1,197 @@
+//! `grafika install` and `telepit`: the page where there is a terminal, a plain command where groups are given.
+
+#[cfg(feature = "terminal")]
+use super::installer::End;
+use super::installer::Installer;
+use super::job::{Answer, Job, Outcome, Step};
+use super::plan::{Plan, System};
+use super::{PROGRAM, place, texts};
+use crate::groups::{GROUPS, Group};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use grafika::launch::progress::Bar;
+use grafika::launch::{Failure, RunOptions, has_terminal, progress, write_output};
+use grafika::machine::Language;
+use grafika::ui::Words;
+use std::io::{BufRead, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+/// The group that stands for all.
+const ALL: &str = "all";
+
+/// The command line of `grafika install` and of `telepit`.
+#[derive(Args)]
+pub(crate) struct Install {
+    /// Folder to install into, which need not be there [default: grafika in your home folder]
+    #[arg(value_name = "DIR")]
+    folder: Option<PathBuf>,
+    /// Groups to install, without any page: all, or names with commas between them
+    #[arg(long, value_name = "GROUPS", value_delimiter = ',', value_parser = group_names(), ignore_case = true)]
+    groups: Vec<String>,
+    /// Overwrite files without asking
+    #[arg(long)]
+    yes: bool,
+    #[command(flatten)]
+    run: RunOptions,
+}
+
+/// Examples of the command line under a name.
+pub(crate) fn examples(name: &str) -> String {
+    format!(
+        "Examples:\n  {name}\n  {name} ~/grafika\n  {name} grafika --groups gb_2d,jatek\n  {name} grafika --groups all --yes"
+    )
+}
+
+fn group_names() -> PossibleValuesParser {
+    PossibleValuesParser::new([ALL].into_iter().chain(GROUPS.iter().map(|group| group.id)))
+}
+
+impl Install {
+    /// The installer's page with some options.
+    #[allow(dead_code, reason = "the menu starts it so")]
+    pub(crate) fn shown(run: RunOptions) -> Install {
+        Install { folder: None, groups: Vec::new(), yes: false, run }
+    }
+
+    /// Installs.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        if !self.groups.is_empty() {
+            return self.plainly();
+        }
+        let pictured = self.run.script.is_some()
+            || self.run.record.is_some()
+            || self.run.display.is_some_and(is_picture);
+        if pictured {
+            return PROGRAM.start(&self.run.with_file(None));
+        }
+        if !has_terminal() {
+            return Err(Failure::usage(
+                "there is no terminal to choose in: give the groups, as in --groups all --yes",
+            ));
+        }
+        self.in_terminal()
+    }
+
+    /// The installer with the folder and the answer of the command line.
+    fn installer(&self) -> Installer {
+        let folder = self.folder.clone().unwrap_or_else(place::offered);
+        let standing = self.yes.then_some(Answer::All);
+        let folder = folder.display().to_string();
+        Installer::new(self.run.language(), folder, standing, Box::new(place::executable))
+    }
+
+    #[cfg(feature = "terminal")]
+    fn in_terminal(&self) -> Result<(), Failure> {
+        let mut installer = self.installer();
+        grafika::textmode::in_terminal(&mut installer).map_err(Failure::work)?;
+        match installer.end() {
+            End::Left | End::Installed => Ok(()),
+            End::Cancelled => Err(Failure::work("cancelled")),
+            End::Failed => Err(Failure::work("nothing was installed")),
+        }
+    }
+
+    #[cfg(not(feature = "terminal"))]
+    fn in_terminal(&self) -> Result<(), Failure> {
+        let _ = self.installer();
+        Err(Failure::usage("this build shows no pages: give the groups, as in --groups all --yes"))
+    }
+
+    fn chosen(&self) -> Vec<&'static Group> {
+        let named = |group: &&Group| self.groups.iter().any(|name| name.eq_ignore_ascii_case(group.id));
+        let all = self.groups.iter().any(|name| name.eq_ignore_ascii_case(ALL));
+        GROUPS.iter().filter(|group| all || named(group)).collect()
+    }
+
+    /// Installs without any page: a line for each file.
+    fn plainly(&self) -> Result<(), Failure> {
+        let plan = Plan::new(&self.chosen(), &place::executable, System::HERE).map_err(Failure::work)?;
+        let folder = self.folder.clone().unwrap_or_else(place::offered);
+        let language = self.run.language();
+        let signals = Signals::watch();
+        let mut job = Job::new(folder, plan, self.yes.then_some(Answer::All));
+        let bar = progress::bar("", job.progress().1);
+        loop {
+            if signals.stopped() {
+                return Err(given_up(&mut job, "stopped by a signal"));
+            }
+            match job.step().map_err(Failure::work)? {
+                Step::Asks(path) => match bar.aside(|| ask(&path, language)) {
+                    Some(answer) => job.answer(answer),
+                    None => {
+                        let message = format!("{} is there already; --yes overwrites it", path.display());
+                        return Err(given_up(&mut job, &message));
+                    }
+                },
+                Step::Did(path, outcome) => tell(&bar, &path, outcome, language)?,
+                Step::Finished(report) => {
+                    drop(bar);
+                    let lines = texts::report(&report, job.root());
+                    let text: String = lines.iter().map(|line| format!("{}\n", line.of(language))).collect();
+                    return write_output(None, text.as_bytes());
+                }
+            }
+        }
+    }
+}
+
+fn is_picture(display: grafika::launch::DisplayKind) -> bool {
+    display != grafika::launch::DisplayKind::Terminal
+}
+
+fn tell(bar: &Bar, path: &Path, outcome: Outcome, language: Language) -> Result<(), Failure> {
+    let what = match outcome {
+        Outcome::Written => Words("kész", "written"),
+        Outcome::Same => Words("már ott volt", "was there already"),
+        Outcome::Kept => Words("a régi maradt", "stays the old one"),
+    };
+    bar.advance();
+    bar.line(&format!("{}: {}", path.display(), what.of(language)))
+}
+
+fn given_up(job: &mut Job, why: &str) -> Failure {
+    let left = texts::undone(&job.give_up());
+    let left: Vec<&str> = left.iter().map(|line| line.of(Language::English)).collect();
+    Failure::work(format!("{why}; {}", left.join(", ")))
+}
+
+/// Asks whether a file is to be overwritten; `None` when nobody can be asked, or wishes to cancel.
+fn ask(path: &Path, language: Language) -> Option<Answer> {
+    let stdin = std::io::stdin();
+    if !stdin.is_terminal() {
+        return None;
+    }
+    let answers = texts::answers(language).into_iter().map(|(letter, word)| format!("{letter}={word}"));
+    let answers: Vec<String> = answers.collect();
+    loop {
+        let question = texts::OVERWRITE.of(language);
+        eprint!("{}: {question} [{}] ", path.display(), answers.join(" "));
+        let _ = std::io::stderr().flush();
+        let mut line = String::new();
+        if stdin.lock().read_line(&mut line).ok()? == 0 {
+            return None;
+        }
+        let letter = line.trim().chars().next().and_then(|letter| letter.to_uppercase().next());
+        if let Some(answer) = letter.and_then(texts::answer_of) {
+            return Some(answer);
+        }
+    }
+}
+
+#[cfg(feature = "terminal")]
+use grafika::machine::terminal::Signals;
+
+/// Without the terminal's libraries a signal ends the process at once.
+#[cfg(not(feature = "terminal"))]
+struct Signals;
+
+#[cfg(not(feature = "terminal"))]
+impl Signals {
+    fn watch() -> Signals {
+        Signals
+    }
+
+    fn stopped(&self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,195 @@
+//! What goes where: the files of chosen groups with their content. No file is touched here.
+
+use crate::groups::Group;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// The kind of system that is installed on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum System {
+    /// Programs are started by links, or by scripts of `sh`.
+    Unix,
+    /// Programs are started by `.cmd` files.
+    Windows,
+}
+
+impl System {
+    /// The one that this is.
+    pub(crate) const HERE: System = if cfg!(windows) { System::Windows } else { System::Unix };
+}
+
+/// What starts a program: its own executable, or that of `grafika` with the program's name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Starter {
+    pub(crate) executable: PathBuf,
+    pub(crate) program: Option<&'static str>,
+}
+
+/// What is in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum What {
+    Data(&'static [u8]),
+    Starter(Starter),
+}
+
+/// A file to be installed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Entry {
+    /// The folder of its group; empty for the folder of all.
+    pub(crate) folder: &'static str,
+    pub(crate) name: String,
+    pub(crate) what: What,
+}
+
+/// Every file to be installed, in order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Plan {
+    pub(crate) entries: Vec<Entry>,
+}
+
+/// A program without anything that could start it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct NoExecutable(pub(crate) &'static str);
+
+impl fmt::Display for NoExecutable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = self.0;
+        write!(f, "neither {name} nor grafika is beside this program; what should start {name}?")
+    }
+}
+
+impl std::error::Error for NoExecutable {}
+
+impl Plan {
+    /// The plan for some groups: in a folder for each its programs, then its samples; above them the menu. `find`
+    /// gives the executable of a name, if there is one.
+    pub(crate) fn new(
+        groups: &[&'static Group],
+        find: &dyn Fn(&str) -> Option<PathBuf>,
+        system: System,
+    ) -> Result<Plan, NoExecutable> {
+        let menu = find("grafika");
+        let entry = |folder, name: &'static str, starter| Entry {
+            folder,
+            name: system.starter_name(name),
+            what: What::Starter(starter),
+        };
+        let mut entries = Vec::new();
+        if let (Some(executable), false) = (&menu, groups.is_empty()) {
+            entries.push(entry("", "grafika", Starter { executable: executable.clone(), program: None }));
+        }
+        for group in groups {
+            for &name in group.programs {
+                let own = find(name).map(|executable| Starter { executable, program: None });
+                let through_menu =
+                    || menu.clone().map(|executable| Starter { executable, program: Some(name) });
+                let starter = own.or_else(through_menu).ok_or(NoExecutable(name))?;
+                entries.push(entry(group.folder, name, starter));
+            }
+            let data = |(name, content): (&str, &'static [u8])| Entry {
+                folder: group.folder,
+                name: name.to_owned(),
+                what: What::Data(content),
+            };
+            entries.extend(group.samples().map(data));
+        }
+        Ok(Plan { entries })
+    }
+}
+
+impl Entry {
+    /// Where the file comes to lie, from the folder of all.
+    pub(crate) fn path(&self) -> PathBuf {
+        Path::new(self.folder).join(&self.name)
+    }
+}
+
+impl System {
+    fn starter_name(self, program: &str) -> String {
+        match self {
+            System::Unix => program.to_owned(),
+            System::Windows => format!("{program}.cmd"),
+        }
+    }
+}
+
+impl Starter {
+    /// The script that starts the program, for systems or disks without links.
+    pub(crate) fn script(&self, system: System) -> Vec<u8> {
+        let executable = self.executable.as_os_str().as_encoded_bytes();
+        let program = self.program.map(|name| format!(" {name}")).unwrap_or_default();
+        match system {
+            System::Unix => {
+                let quoted = replaced(executable, b'\'', b"'\\''");
+                [b"#!/bin/sh\nexec '", &quoted[..], b"'", program.as_bytes(), b" \"$@\"\n"].concat()
+            }
+            System::Windows => {
+                let quoted = replaced(executable, b'%', b"%%");
+                [b"@\"", &quoted[..], b"\"", program.as_bytes(), b" %*\r\n"].concat()
+            }
+        }
+    }
+}
+
+/// Bytes with one of them replaced by others.
+fn replaced(bytes: &[u8], from: u8, to: &[u8]) -> Vec<u8> {
+    bytes
+        .iter()
+        .flat_map(|byte| if *byte == from { to } else { std::slice::from_ref(byte) })
+        .copied()
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::groups::GROUPS;
+
+    fn all() -> Vec<&'static Group> {
+        GROUPS.iter().collect()
+    }
+
+    fn everything(name: &str) -> Option<PathBuf> {
+        Some(Path::new("/bin").join(name))
+    }
+
+    #[test]
+    fn every_program_and_sample_is_planned_once() {
+        for system in [System::Unix, System::Windows] {
+            let plan = Plan::new(&all(), &everything, system).unwrap();
+            let mut paths: Vec<PathBuf> = plan.entries.iter().map(Entry::path).collect();
+            let programs: usize = GROUPS.iter().map(|group| group.programs.len()).sum();
+            assert_eq!(paths.len(), 1 + programs + grafika::machine::SAMPLES.len());
+            paths.sort();
+            paths.dedup();
+            assert_eq!(paths.len(), plan.entries.len());
+        }
+    }
+
+    #[test]
+    fn programs_start_by_themselves_or_through_the_menu() {
+        let group = [&GROUPS[1]];
+        let plan = Plan::new(&group, &everything, System::Unix).unwrap();
+        let own = Starter { executable: "/bin/gb_p_2d".into(), program: None };
+        assert_eq!(plan.entries[1].what, What::Starter(own));
+        assert_eq!(plan.entries[1].path(), Path::new("GB_2D").join("gb_p_2d"));
+
+        let only_menu = |name: &str| (name == "grafika").then(|| PathBuf::from("/opt/grafika"));
+        let plan = Plan::new(&group, &only_menu, System::Windows).unwrap();
+        let through = Starter { executable: "/opt/grafika".into(), program: Some("gb_p_2d") };
+        assert_eq!(plan.entries[1].what, What::Starter(through));
+        assert_eq!(plan.entries[1].name, "gb_p_2d.cmd");
+
+        let nothing = |_: &str| None;
+        assert_eq!(Plan::new(&group, &nothing, System::Unix), Err(NoExecutable("gb_p_2d")));
+        assert_eq!(Plan::new(&[], &nothing, System::Unix), Ok(Plan { entries: Vec::new() }));
+    }
+
+    #[test]
+    fn scripts_quote_any_path() {
+        let starter = Starter { executable: "/it's 100%/grafika".into(), program: Some("vjs") };
+        let text = |system| String::from_utf8(starter.script(system)).unwrap();
+        assert_eq!(text(System::Unix), "#!/bin/sh\nexec '/it'\\''s 100%/grafika' vjs \"$@\"\n");
+        assert_eq!(text(System::Windows), "@\"/it's 100%%/grafika\" vjs %*\r\n");
+    }
+}

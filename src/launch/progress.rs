@@ -1,0 +1,63 @@
+//! How far long work is, told on stderr while it lasts; nothing where stderr is no terminal.
+
+use super::{Failure, write_output};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::time::Duration;
+
+/// Time between two turns of a sign of life.
+const TURN: Duration = Duration::from_millis(120);
+
+/// A bar of `total` parts; it vanishes when it is dropped.
+pub fn bar(what: &'static str, total: usize) -> Bar {
+    let bar = ProgressBar::new(total as u64).with_message(what);
+    Bar(styled(bar, "{msg} [{bar:40}] {pos}/{len} {eta}"))
+}
+
+/// A sign of life with the time that has passed, for work that cannot tell how far it is.
+pub fn alive(what: &'static str) -> Bar {
+    let bar = styled(ProgressBar::new_spinner().with_message(what), "{spinner} {msg} {elapsed}");
+    bar.enable_steady_tick(TURN);
+    Bar(bar)
+}
+
+fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    // The templates are the two above, which are right; were one not, the bar would look plain.
+    match ProgressStyle::with_template(template) {
+        Ok(style) => bar.with_style(style.progress_chars("##-")),
+        Err(_) => bar,
+    }
+}
+
+/// A bar that is taken away when the work ends, however it ends.
+pub struct Bar(ProgressBar);
+
+impl Bar {
+    /// One more part is done.
+    pub fn advance(&self) {
+        self.0.inc(1);
+    }
+
+    /// Writes a line to standard output, above the bar.
+    ///
+    /// # Errors
+    /// [`Failure`] with what the system says.
+    pub fn line(&self, text: &str) -> Result<(), Failure> {
+        self.0.suspend(|| write_output(None, format!("{text}\n").as_bytes()))
+    }
+
+    /// Does something that needs the terminal to itself.
+    pub fn aside<T>(&self, what: impl FnOnce() -> T) -> T {
+        self.0.suspend(what)
+    }
+
+    /// Says what is being done now.
+    pub fn say(&self, what: String) {
+        self.0.set_message(what);
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
