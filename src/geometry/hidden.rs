@@ -17,7 +17,6 @@ mod pixel;
 use super::walk::Walk;
 pub use pixel::Pixel;
 use pixel::{Ink, OWNER};
-use std::array::from_fn;
 
 /// The largest width and height of a depth buffer in pixels.
 pub const MAX_SIDE: usize = 4096;
@@ -33,7 +32,7 @@ const WIDE: i64 = 16;
 
 /// Cells at most this many columns and rows larger than a pixel are first looked at whether all of them
 /// is hidden.
-const SMALL: i64 = 6;
+const SMALL: i64 = 32;
 
 /// A corner in the picture: the pixel it falls on, and its depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,14 +47,14 @@ pub struct Vertex {
 }
 
 impl Vertex {
-    /// The vertex within the limits of coordinates and depths; `None` if the depth is no finite number.
+    /// The vertex within the limits of coordinates and depths.
     #[inline]
-    fn limited(self) -> Option<Vertex> {
-        self.depth.is_finite().then(|| Vertex {
+    fn limited(self) -> Vertex {
+        Vertex {
             x: self.x.clamp(-FAR_AWAY, FAR_AWAY),
             y: self.y.clamp(-FAR_AWAY, FAR_AWAY),
             depth: self.depth.clamp(-DEEP, DEEP),
-        })
+        }
     }
 }
 
@@ -116,15 +115,17 @@ impl DepthBuffer {
     /// point only the outline is drawn; nothing of a cell with a depth that is no finite number. Where two
     /// sides of a twisted cell are seen to cross, its triangles reach beyond the outline.
     pub fn cell(&mut self, corners: &[Vertex; 4], fill: u8, edge: Option<u8>) {
-        let [Some(a), Some(b), Some(c), Some(d)] = corners.map(Vertex::limited) else { return };
-        let corners = [a, b, c, d];
-        let Some((window, owner)) = self.begin(corners.into_iter(), edge) else { return };
+        if !finite(corners) {
+            return;
+        }
+        let corners = corners.map(Vertex::limited);
+        let Some((window, owner)) = self.begin(&corners, edge) else { return };
         if !window.is_empty() {
             let ink = Ink::fill(fill, owner);
             halves(corners).into_iter().for_each(|half| self.triangle(half, &window, ink));
         }
         if let Some(edge) = edge {
-            self.around(corners.into_iter(), Ink::outline(edge, owner));
+            self.around(&corners, Ink::outline(edge, owner));
         }
     }
 
@@ -132,17 +133,18 @@ impl DepthBuffer {
     /// colour is given. Of fewer than three corners only the outline is drawn; nothing of a face with a
     /// depth that is no finite number.
     pub fn polygon(&mut self, corners: &[Vertex], fill: u8, edge: Option<u8>) {
-        if corners.iter().any(|corner| !corner.depth.is_finite()) {
+        if !finite(corners) {
             return;
         }
-        let limited = || corners.iter().filter_map(|corner| corner.limited());
-        let Some(first) = limited().next() else { return };
-        let Some((window, owner)) = self.begin(limited(), edge) else { return };
-        for (b, c) in limited().skip(1).zip(limited().skip(2)) {
+        let corners: Vec<Vertex> = corners.iter().map(|corner| corner.limited()).collect();
+        let Some((&first, others)) = corners.split_first() else { return };
+        let Some((window, owner)) = self.begin(&corners, edge) else { return };
+        for pair in others.windows(2) {
+            let &[b, c] = pair else { continue };
             self.triangle([first, b, c], &window, Ink::fill(fill, owner));
         }
         if let Some(edge) = edge {
-            self.around(limited(), Ink::outline(edge, owner));
+            self.around(&corners, Ink::outline(edge, owner));
         }
     }
 
@@ -150,9 +152,13 @@ impl DepthBuffer {
     /// those of the outlines: stepped from the left end, of an upright line from the upper end, whichever
     /// end is given first. Nothing is drawn if a depth is no finite number.
     pub fn line(&mut self, from: Vertex, to: Vertex, color: u8) {
-        let (Some(from), Some(to)) = (from.limited(), to.limited()) else { return };
-        if let Some((_, owner)) = self.begin([from, to].into_iter(), Some(color)) {
-            self.around([from, to].into_iter(), Ink::outline(color, owner));
+        let ends = [from, to];
+        if !finite(&ends) {
+            return;
+        }
+        let ends = ends.map(Vertex::limited);
+        if let Some((_, owner)) = self.begin(&ends, Some(color)) {
+            self.around(&ends, Ink::outline(color, owner));
         }
     }
 
@@ -173,13 +179,9 @@ impl DepthBuffer {
 
     /// Begins a cell: where its fill may show, and its number; `None` if nothing of it can be seen.
     #[inline]
-    fn begin(
-        &mut self,
-        corners: impl Iterator<Item = Vertex> + Clone,
-        edge: Option<u8>,
-    ) -> Option<(Extent, u64)> {
-        let extent = Extent::of(corners.clone());
-        let nearest = corners.map(|corner| corner.depth).fold(-DEEP, f32::max);
+    fn begin(&mut self, corners: &[Vertex], edge: Option<u8>) -> Option<(Extent, u64)> {
+        let extent = Extent::of(corners);
+        let nearest = corners.iter().map(|corner| corner.depth).fold(-DEEP, f32::max);
         if self.hides(&extent, nearest) {
             return None;
         }
@@ -237,7 +239,7 @@ impl DepthBuffer {
     fn triangle(&mut self, [a, b, c]: [Vertex; 3], window: &Extent, ink: Ink) {
         let area = turn(a, b, c);
         let (b, c) = if area < 0 { (c, b) } else { (b, c) };
-        let own = Extent::of([a, b, c]).common(window);
+        let own = Extent::of(&[a, b, c]).common(window);
         if area == 0 || own.is_empty() {
             return;
         }
@@ -245,6 +247,8 @@ impl DepthBuffer {
         // The weights of the corners, times the area: whole numbers, none negative inside.
         let sides = [Side::new(b, c), Side::new(c, a), Side::new(a, b)];
         let mut starts = sides.each_ref().map(|side| side.weight(left, top));
+        let (across, down) =
+            (sides.each_ref().map(|side| side.across), sides.each_ref().map(|side| side.down));
         let scale = 1.0 / area.abs() as f32;
         let (to_b, to_c) = ((b.depth - a.depth) * scale, (c.depth - a.depth) * scale);
         let low = a.depth.min(b.depth).min(c.depth);
@@ -252,7 +256,8 @@ impl DepthBuffer {
         for y in top..=bottom {
             let steps = 0..right - left + 1;
             let steps = if right - left < WIDE { steps } else { narrowed(steps, &sides, starts) };
-            let mut weights: [i64; 3] = from_fn(|k| starts[k] + sides[k].across * steps.start);
+            let mut weights = starts;
+            add(&mut weights, [across[0] * steps.start, across[1] * steps.start, across[2] * steps.start]);
             // Clipped to the picture, so not negative.
             let at = (y * self.width + left) as usize;
             let range = at + steps.start as usize..at + steps.end.max(steps.start) as usize;
@@ -264,18 +269,22 @@ impl DepthBuffer {
                     // Where it is as near as what is there, the own outline may go before that.
                     *pixel = if new.is_as_near_as(old) { shown.owned_as(new) } else { shown };
                 }
-                weights = from_fn(|k| weights[k] + sides[k].across);
+                add(&mut weights, across);
             }
-            starts = from_fn(|k| starts[k] + sides[k].down);
+            add(&mut starts, down);
         }
     }
 
     /// Draws an outline: the corners and what is between them. A line is one around two corners.
     #[inline]
-    fn around(&mut self, corners: impl Iterator<Item = Vertex> + Clone, ink: Ink) {
-        corners.clone().for_each(|corner| self.point(corner, ink));
-        let followers = corners.clone().skip(1).chain(corners.clone().next());
-        corners.zip(followers).for_each(|(a, b)| self.side(a, b, ink));
+    fn around(&mut self, corners: &[Vertex], ink: Ink) {
+        corners.iter().for_each(|&corner| self.point(corner, ink));
+        let Some(&last) = corners.last() else { return };
+        let mut from = last;
+        for &to in corners {
+            self.side(from, to, ink);
+            from = to;
+        }
     }
 
     /// Draws a side of an outline between its ends: stepped from the left end or, where it is upright,
@@ -352,6 +361,20 @@ fn narrowed(steps: std::ops::Range<i64>, sides: &[Side; 3], starts: [i64; 3]) ->
     first.min(steps.end)..end.max(first.min(steps.end))
 }
 
+/// Adds to the weights of a triangle's corners. Written out, for it is done at every pixel.
+#[inline(always)]
+fn add(weights: &mut [i64; 3], step: [i64; 3]) {
+    weights[0] += step[0];
+    weights[1] += step[1];
+    weights[2] += step[2];
+}
+
+/// Whether all depths are finite numbers.
+#[inline]
+fn finite(corners: &[Vertex]) -> bool {
+    corners.iter().all(|corner| corner.depth.is_finite())
+}
+
 /// Twice the area of a triangle of the picture; its sign tells the direction around it.
 #[inline]
 fn turn(a: Vertex, b: Vertex, c: Vertex) -> i64 {
@@ -376,9 +399,9 @@ struct Extent {
 
 impl Extent {
     #[inline]
-    fn of(corners: impl IntoIterator<Item = Vertex>) -> Extent {
+    fn of(corners: &[Vertex]) -> Extent {
         let nothing = Extent { left: i32::MAX, top: i32::MAX, right: i32::MIN, bottom: i32::MIN };
-        corners.into_iter().fold(nothing, |extent, corner| Extent {
+        corners.iter().fold(nothing, |extent, corner| Extent {
             left: extent.left.min(corner.x),
             top: extent.top.min(corner.y),
             right: extent.right.max(corner.x),

@@ -109,8 +109,7 @@ impl Editor {
             Inspection::Zebra => Box::new(move |place| place.zebra(toward)),
             Inspection::Curvature => Box::new(move |place| place.curvature(size)),
         };
-        let mut colors =
-            places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place));
+        let mut colors = places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place));
         draw_cells(screen, &grid, look, |_| (colors.next().unwrap_or(FLAT), None));
         true
     }

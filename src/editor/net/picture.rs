@@ -3,7 +3,7 @@
 use super::inspect::Inspection;
 use super::model::{Index, Model, Part};
 use super::plan::Family;
-use super::surface::{Display, Drawn, draw_grid};
+use super::surface::{Drawn, draw_grid};
 use super::{Editor, Stage};
 use crate::editor::axes::{draw_axes, draw_legend};
 use crate::editor::field::{ground, surroundings};
@@ -61,11 +61,7 @@ impl Editor {
         }
         draw_legend(screen, language);
         if self.plan.family != Family::Heights {
-            let other = match self.display {
-                Display::Wire => words::FILLED_LEGEND,
-                Display::Filled => words::WIRE_LEGEND,
-            };
-            screen.text(15, 102, other.of(language), Color::LightGray);
+            self.display.draw_legend(screen, language);
         }
     }
 

@@ -51,11 +51,7 @@ impl Picture for Shown {
         screen.clear(Color::Black);
         draw_grid(screen, &self.grid, self.viewer.look, (self.display, Fill::Plain), Color::White);
         draw_legend(screen, language);
-        let other = match self.display {
-            Display::Wire => words::FILLED_LEGEND,
-            Display::Filled => words::WIRE_LEGEND,
-        };
-        screen.text(15, 102, other.of(language), Color::LightGray);
+        self.display.draw_legend(screen, language);
     }
 }
 

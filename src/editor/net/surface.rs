@@ -5,6 +5,7 @@ use super::model::Model;
 use super::plan::Family;
 use crate::editor::look::Look;
 use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex, dot};
+use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::words::{self, Phrase};
 
@@ -15,6 +16,17 @@ pub(super) enum Display {
     Wire,
     /// Black cells with white edges that hide what is behind them.
     Filled,
+}
+
+impl Display {
+    /// Writes which key changes to the other one.
+    pub(super) fn draw_legend(self, screen: &mut Screen, language: Language) {
+        let other = match self {
+            Display::Wire => words::FILLED_LEGEND,
+            Display::Filled => words::WIRE_LEGEND,
+        };
+        screen.text(15, 102, other.of(language), Color::LightGray);
+    }
 }
 
 /// A surface with the points that it is drawn by.
@@ -116,14 +128,33 @@ pub(super) fn draw_cells(
     for vertex in &mut vertices {
         (vertex.x, vertex.y) = (vertex.x.saturating_sub(corner.0), vertex.y.saturating_sub(corner.1));
     }
+    let mut cells: Vec<Cell> = grid
+        .cells()
+        .map(|cell| {
+            // The indices are those of the grid's points.
+            let corners = cell.map(|index| vertices.get(index).copied().unwrap_or_default());
+            Cell { corners, inks: inks(&corners) }
+        })
+        .collect();
+    // In any order they make the same picture; what is behind others costs least when it comes last.
+    cells.sort_unstable_by(|a, b| b.nearest().total_cmp(&a.nearest()));
     let mut buffer = DepthBuffer::new(width, height);
-    for cell in grid.cells() {
-        // The indices are those of the grid's points.
-        let corners = cell.map(|index| vertices.get(index).copied().unwrap_or_default());
-        let (fill, edge) = inks(&corners);
+    for Cell { corners, inks: (fill, edge) } in cells {
         buffer.cell(&corners, fill as u8, edge.map(|edge| edge as u8));
     }
     show(screen, &buffer, corner);
+}
+
+/// A cell as it is drawn.
+struct Cell {
+    corners: [Vertex; 4],
+    inks: (Color, Option<Color>),
+}
+
+impl Cell {
+    fn nearest(&self) -> f32 {
+        self.corners.iter().map(|corner| corner.depth).fold(f32::MIN, f32::max)
+    }
 }
 
 /// The part of the screen that vertices span: its upper left pixel, width and height. `None` if it is empty.
