@@ -20,9 +20,11 @@ const fn demo(name: &'static str, file: &'static str, script: &'static str, moti
 }
 
 /// The closed or open spline of a curve editor, without the editor.
-const CURVE: &str = "type gn3\nkey E";
+const CURVE: &str = "type gn3\nkey E\nkey N";
 /// A filled surface without the editor.
-const SURFACE: &str = "key F\nkey E\nkey T";
+const SURFACE: &str = "type ftet";
+/// The same where the degree is asked for.
+const CUBIC: &str = "type f3tet";
 /// One step around.
 const TURN: Option<Key> = Some(Key::Left);
 
@@ -33,29 +35,29 @@ pub(super) const DEMOS: &[Demo] = &[
     demo("eg_kz_k", "", "move 320 240", None),
     demo("vjs", "", "key Up\nkey Up\nkey Left", None),
     demo("gb_p_2d", "A.GBP", "key E", None),
-    demo("gb_2d_ch", "A.IC2", "type gn\nkey E", None),
-    demo("gb_2d_ip", "A.IP2", "type gz3\nkey E", None),
-    demo("gb_2d_bt", "B.IP2", "type gz\nkey E", None),
+    demo("gb_2d_ch", "A.IC2", "key N\ntype gz\nkey N\nkey E\nkey N", None),
+    demo("gb_2d_ip", "A.IP2", "type gz3\nkey E\nkey N", None),
+    demo("gb_2d_bt", "B.IP2", "type gz\nkey E\nkey N", None),
     demo("gb_3d_ip", "A.IP3", CURVE, TURN),
-    demo("gb_3d_bt", "B.IP3", "type gn\nkey E", TURN),
+    demo("gb_3d_bt", "B.IP3", "type gn\nkey E\nkey N", TURN),
     demo("csav_gy", "", "key T", TURN),
     demo("f_p_herm", "A.FHC", SURFACE, TURN),
     demo("f_p_spln", "A.FPS", SURFACE, TURN),
-    demo("f_em_spl", "A.FEM", "key F\nkey E", TURN),
+    demo("f_em_spl", "A.FEM", "type fe", TURN),
     demo("f_p_bezr", "A.FPB", SURFACE, TURN),
-    demo("f_p_bspl", "A.FBS", SURFACE, TURN),
+    demo("f_p_bspl", "A.FBS", CUBIC, TURN),
     demo("f_p_bets", "Z.FBS", SURFACE, TURN),
     demo("f_p_hspl", "A.FPS", SURFACE, TURN),
     demo("zm_spln", "A.ZMS", SURFACE, TURN),
-    demo("zm_bspl", "K1.ZMB", SURFACE, TURN),
+    demo("zm_bspl", "K1.ZMB", CUBIC, TURN),
     demo("zm_betsp", "K2.ZMB", SURFACE, TURN),
     demo("zm_hspl", "B.ZMS", SURFACE, TURN),
     demo("zy_spln", "A.ZYS", SURFACE, TURN),
-    demo("zy_bspl", "A.ZYB", SURFACE, TURN),
+    demo("zy_bspl", "A.ZYB", CUBIC, TURN),
     demo("zy_betsp", "A.ZYB", SURFACE, TURN),
     demo("zy_hspl", "A.ZYS", SURFACE, TURN),
     demo("biliard", "", "drag 60 240 20 250", None),
-    demo("gyongy_k", "", "key J\nkey A\nkey K", None),
+    demo("gyongy_k", "", "key T\nkey A\nkey K", None),
     demo("csango_k", "A.CSK", "", TURN),
     demo("telepit", "", "", None),
 ];

@@ -41,6 +41,11 @@ pub(super) fn programs(group: &'static Group) -> impl Iterator<Item = usize> {
     group.programs.iter().filter_map(number)
 }
 
+/// The numbers of all programs, in the order of the list.
+pub(super) fn order() -> impl Iterator<Item = usize> {
+    GROUPS.iter().flat_map(programs)
+}
+
 /// The group of a program.
 pub(super) fn group(index: usize) -> Option<&'static Group> {
     Group::of(PROGRAMS.get(index)?.manual.name)

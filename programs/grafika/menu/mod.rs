@@ -68,11 +68,13 @@ impl Menu {
 
     /// Chooses the first found program behind or before the chosen one, around the end.
     fn step(&mut self, forward: bool) {
-        let count = PROGRAMS.len();
-        let steps = if forward { 1 } else { count - 1 };
-        let after = |index: &usize| Some((index + steps) % count);
-        let found = std::iter::successors(after(&self.chosen), after).take(count);
-        self.chosen = { found }.find(|&index| self.finds(index)).unwrap_or(self.chosen);
+        let mut order: Vec<usize> = layout::order().collect();
+        if !forward {
+            order.reverse();
+        }
+        let at = order.iter().position(|index| *index == self.chosen).map_or(0, |at| at + 1);
+        let mut others = order.iter().cycle().skip(at).take(order.len());
+        self.chosen = others.find(|index| self.finds(**index)).copied().unwrap_or(self.chosen);
     }
 
     /// Chooses a program of the next or the previous group.
@@ -90,7 +92,7 @@ impl Menu {
     /// Changes what is searched for; a longer word that nothing has is not taken.
     fn look_for(&mut self, search: String) {
         let before = std::mem::replace(&mut self.search, search);
-        match (0..PROGRAMS.len()).find(|&index| self.finds(index)) {
+        match layout::order().find(|&index| self.finds(index)) {
             None => self.search = before,
             Some(_) if self.finds(self.chosen) => {}
             Some(first) => self.chosen = first,
@@ -108,11 +110,11 @@ impl Menu {
             Some(Key::Right | Key::PageDown) => self.step_group(true),
             Some(Key::Left | Key::PageUp) => self.step_group(false),
             Some(Key::Home) => {
-                self.chosen = PROGRAMS.len() - 1;
+                self.chosen = layout::order().last().unwrap_or(0);
                 self.step(true);
             }
             Some(Key::End) => {
-                self.chosen = 0;
+                self.chosen = layout::order().next().unwrap_or(0);
                 self.step(false);
             }
             Some(Key::Enter) => return Next::Start,

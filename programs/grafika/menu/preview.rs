@@ -14,8 +14,6 @@ use std::time::Duration;
 const SCALE: i32 = 5;
 /// Size of a small picture in pixels.
 pub(super) const SMALL: (i32, i32) = (WIDTH / SCALE, HEIGHT / SCALE);
-/// Of the pixels that one stands for, so many show their colour although others are more: thin lines stay.
-const LINE: usize = 3;
 
 /// A program that runs for its small picture.
 pub(super) struct Preview {
@@ -82,30 +80,34 @@ impl Preview {
     }
 }
 
-/// A screen made smaller.
+/// A screen made smaller: every pixel has the colour that its square of the screen has more of than is to be
+/// expected, so that thin lines stay and grids vanish.
 fn small(screen: &Screen) -> Vec<Color> {
+    let all = count(screen.pixels()).map(|count| f64::from(count).sqrt().max(1.0));
     let place = |index: i32| (index % SMALL.0 * SCALE, index / SMALL.0 * SCALE);
-    (0..SMALL.0 * SMALL.1).map(|index| shown(screen, place(index))).collect()
+    (0..SMALL.0 * SMALL.1).map(|index| shown(screen, place(index), &all)).collect()
 }
 
-/// The colour that a square of the screen shows in the small picture: the most frequent one but for the
-/// ground of the square, where there is enough of it.
-fn shown(screen: &Screen, (x, y): (i32, i32)) -> Color {
+/// How often every colour is among pixels.
+fn count(pixels: &[u8]) -> [u32; 16] {
     let mut count = [0; 16];
+    pixels.iter().for_each(|pixel| count[usize::from(pixel & 15)] += 1);
+    count
+}
+
+/// The colour that a square of the screen shows.
+fn shown(screen: &Screen, (x, y): (i32, i32), all: &[f64; 16]) -> Color {
+    let mut weights = [0.0; 16];
     for dy in 0..SCALE {
         // The square is on the screen.
         let start = ((y + dy) * WIDTH + x) as usize;
         let row = screen.pixels().get(start..start + SCALE as usize).unwrap_or_default();
-        row.iter().for_each(|pixel| count[usize::from(pixel & 15)] += 1);
+        weights
+            .iter_mut()
+            .zip(count(row))
+            .zip(all)
+            .for_each(|((weight, count), all)| *weight += f64::from(count) / all);
     }
-    let most = |besides: Option<usize>| {
-        (0..count.len())
-            .filter(|color| Some(*color) != besides)
-            .max_by_key(|color| count[*color])
-            .unwrap_or(0)
-    };
-    let ground = most(None);
-    let line = most(Some(ground));
-    let color = if count[line] >= LINE { line } else { ground };
-    Color::from_index(color as u8)
+    let most = (0..16_u8).max_by(|a, b| weights[usize::from(*a)].total_cmp(&weights[usize::from(*b)]));
+    Color::from_index(most.unwrap_or(0))
 }
