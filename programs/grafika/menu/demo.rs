@@ -56,7 +56,7 @@ pub(super) const DEMOS: &[Demo] = &[
     demo("zy_bspl", "A.ZYB", CUBIC, TURN),
     demo("zy_betsp", "A.ZYB", SURFACE, TURN),
     demo("zy_hspl", "A.ZYS", SURFACE, TURN),
-    demo("biliard", "", "drag 60 240 20 250", None),
+    demo("biliard", "", "drag 60 240 560 246", None),
     demo("gyongy_k", "", "key T\nkey A\nkey K", None),
     demo("csango_k", "A.CSK", "", TURN),
     demo("telepit", "", "", None),
