@@ -241,9 +241,8 @@ impl Format {
             "ply" => Format::Ply,
             "step" | "stp" => Format::Step,
             _ => {
-                return Err(
-                    "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step".to_owned()
-                );
+                return Err("pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step"
+                    .to_owned());
             }
         })
     }

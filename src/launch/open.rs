@@ -47,11 +47,7 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
 }
 
 /// Opens a data file by its path, through the storage of its folder.
-pub(super) fn open_in(
-    storage: &dyn Storage,
-    path: &Path,
-    from: Option<FileKind>,
-) -> Result<Opened, Failure> {
+pub(super) fn open_in(storage: &dyn Storage, path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
     let name = path.display().to_string();
     let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else {
         return Err(Failure::work(format!("{name:?} is not the name of a file")));
@@ -77,7 +73,12 @@ fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
     let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
     let content = read_stdin().map_err(|error| failure(error.to_string()))?;
     let document = Document::decode(kind, &content).map_err(|problem| failure(problem.to_string()))?;
-    Ok(Opened { name: "standard input".to_owned(), file_name: String::new(), folder: PathBuf::new(), document })
+    Ok(Opened {
+        name: "standard input".to_owned(),
+        file_name: String::new(),
+        folder: PathBuf::new(),
+        document,
+    })
 }
 
 /// All of standard input, if it is no longer than any data file.

@@ -1,0 +1,113 @@
+//! The small pictures of the programs. Behind each the program itself runs, on a machine of its own without
+//! files and without a clock but the menu's.
+
+use super::demo::Demo;
+use grafika::file::{Document, Format};
+use grafika::launch::Program;
+use grafika::machine::{
+    Event, Key, Language, Machine, Memory, Outlet, Script, Session, Settings, Storage, play,
+};
+use grafika::screen::{Color, HEIGHT, Screen, WIDTH};
+use std::time::Duration;
+
+/// Pixels of the screen, along a side, that a pixel of the small picture stands for.
+const SCALE: i32 = 5;
+/// Size of a small picture in pixels.
+pub(super) const SMALL: (i32, i32) = (WIDTH / SCALE, HEIGHT / SCALE);
+
+/// A program that runs for its small picture.
+pub(super) struct Preview {
+    session: Session,
+    now: Duration,
+    /// The key that it gets at every step.
+    motion: Option<Key>,
+    pixels: Vec<Color>,
+}
+
+/// Scripts of the menu write nothing.
+struct Nowhere;
+
+impl Outlet for Nowhere {
+    fn picture(&mut self, _: &str, _: &Screen) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn text(&mut self, _: &str, _: &str) -> Result<(), String> {
+        Ok(())
+    }
+}
+
+impl Preview {
+    /// Starts a program and leads it to its picture. What a script cannot do is left out: there is a
+    /// picture in any case.
+    pub(super) fn new(program: &Program, demo: Option<&Demo>, language: Language) -> Preview {
+        let storage = Memory::default();
+        let document = demo.and_then(|demo| {
+            let content = storage.read(demo.file).ok()?;
+            Document::read(Format::from_name(demo.file)?, &content).ok()
+        });
+        let machine = Machine::new(Box::new(storage), Settings { language, ..Settings::default() });
+        let run = program.run;
+        let mut session =
+            Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
+        let script = Script::parse(demo.map_or("", |demo| demo.script)).unwrap_or_default();
+        let _ = play(&mut session, &script, &mut Nowhere);
+        let pixels = small(&session.screen());
+        Preview { session, now: Duration::ZERO, motion: demo.and_then(|demo| demo.motion), pixels }
+    }
+
+    /// Whether its picture changes by itself.
+    pub(super) fn moves(&self) -> bool {
+        !self.session.ended() && (self.motion.is_some() || self.session.deadline().is_some())
+    }
+
+    /// Lets the program go on for a while.
+    pub(super) fn go_on(&mut self, time: Duration) {
+        self.now += time;
+        self.session.settle(self.now);
+        if let Some(key) = self.motion {
+            self.session.send(Event::Key(key), self.now);
+        }
+        self.pixels = small(&self.session.screen());
+    }
+
+    /// Draws the small picture.
+    pub(super) fn draw(&self, screen: &mut Screen, (x, y): (i32, i32)) {
+        let rows = self.pixels.chunks(SMALL.0 as usize);
+        for (y, row) in (y..).zip(rows) {
+            screen.row(x, y, row.iter().copied().map(Some));
+        }
+    }
+}
+
+/// A screen made smaller: every pixel has the colour that its square of the screen has more of than is to be
+/// expected, so that thin lines stay and grids vanish.
+fn small(screen: &Screen) -> Vec<Color> {
+    let all = count(screen.pixels()).map(|count| f64::from(count).sqrt().max(1.0));
+    let place = |index: i32| (index % SMALL.0 * SCALE, index / SMALL.0 * SCALE);
+    (0..SMALL.0 * SMALL.1).map(|index| shown(screen, place(index), &all)).collect()
+}
+
+/// How often every colour is among pixels.
+fn count(pixels: &[u8]) -> [u32; 16] {
+    let mut count = [0; 16];
+    pixels.iter().for_each(|pixel| count[usize::from(pixel & 15)] += 1);
+    count
+}
+
+/// The colour that a square of the screen shows.
+fn shown(screen: &Screen, (x, y): (i32, i32), all: &[f64; 16]) -> Color {
+    let mut weights = [0.0; 16];
+    for dy in 0..SCALE {
+        // The square is on the screen.
+        let start = ((y + dy) * WIDTH + x) as usize;
+        let row = screen.pixels().get(start..start + SCALE as usize).unwrap_or_default();
+        weights
+            .iter_mut()
+            .zip(count(row))
+            .zip(all)
+            .for_each(|((weight, count), all)| *weight += f64::from(count) / all);
+    }
+    let most = (0..16_u8).max_by(|a, b| weights[usize::from(*a)].total_cmp(&weights[usize::from(*b)]));
+    Color::from_index(most.unwrap_or(0))
+}
