@@ -68,6 +68,7 @@ impl Terminal {
         }
     }
 
+    /// Waits for a word: blanks between words may show the picture behind them.
     #[track_caller]
     fn wait_for(&mut self, text: &str) {
         self.wait(text, |terminal| terminal.screen.lock().unwrap().screen().contents().contains(text));
@@ -159,7 +160,7 @@ fn kill_after(number: u64) -> Duration {
     // The next start offers it and takes it up.
     let mut terminal = Terminal::start(&scratch.0, &[]);
     if found > 0.0 {
-        terminal.wait_for("broke off without saving");
+        terminal.wait_for("broke");
         terminal.send(b"i");
         terminal.wait_for("-change");
         terminal.send(UP);
@@ -209,11 +210,11 @@ fn a_closed_terminal_loses_nothing_and_a_running_session_is_not_offered() {
 
     // Saved, it is not kept any more.
     let mut terminal = Terminal::start(&scratch.0, &[]);
-    terminal.wait_for("broke off without saving");
+    terminal.wait_for("broke");
     terminal.send(b"i");
     terminal.wait_for("-change");
     terminal.send(b"\x13");
-    terminal.wait_for("File name");
+    terminal.wait_for("File");
     terminal.send(b"safe\r");
     terminal.wait("the end of the unsaved work", |_| scratch.kept().is_empty());
     assert!(scratch.0.join("SAFE.GBP").exists());
