@@ -61,6 +61,7 @@ mod zy_hspl;
 #[path = "../zy_spln.rs"]
 mod zy_spln;
 
+mod config;
 mod convert;
 mod curve;
 mod menu;
@@ -172,6 +173,8 @@ enum Command {
     /// Write the manual pages of grafika, its commands and the programs
     #[command(after_help = "Examples:\n  grafika man\n  grafika man share/man/man1")]
     Man(reference::Manuals),
+    /// Show or change the settings of all programs
+    Config(config::Config),
     /// Run a program by its name, as in "grafika gb_2d_ip A.IP2"
     #[command(external_subcommand)]
     Program(Vec<OsString>),
@@ -201,6 +204,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Solve(solve)) => solve.run(),
         Some(Command::Install(install)) => install.run(),
+        Some(Command::Config(config)) => config.run(),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manuals)) => manuals.run(),
         Some(Command::Program(words)) => run_program(words),
@@ -209,6 +213,7 @@ fn run() -> Result<(), Failure> {
 
 /// The menu: in the terminal a page of text, elsewhere a picture.
 fn show_menu(options: &RunOptions) -> Result<(), Failure> {
+    let options = &options.preferred();
     #[cfg(feature = "terminal")]
     if grafika::launch::in_terminal(options) {
         return terminal_menu::run(options, &|program, options| match program.manual.name {

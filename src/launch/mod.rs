@@ -3,6 +3,7 @@
 //!
 //! Exit status: 0 done, 1 the work failed, 2 the command line or the script is wrong.
 
+mod config;
 mod display;
 mod failure;
 mod open;
@@ -10,6 +11,7 @@ mod options;
 mod outlet;
 pub mod progress;
 
+pub use config::{config_path, configure};
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use open::{Opened, kind_of, open, open_as, read_stdin};
@@ -91,8 +93,8 @@ impl Program {
     /// # Errors
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
-        let path = options.file.as_deref();
-        let mut machine = options.run.machine(path.map(folder_of).unwrap_or_default());
+        let (path, run_options) = (options.file.as_deref(), options.run.preferred());
+        let mut machine = run_options.machine(path.map_or_else(|| run_options.folder(), folder_of));
         // Through the machine's own storage, which remembers what was read.
         let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
         if let Some(opened) = &opened {
@@ -105,6 +107,6 @@ impl Program {
         let run = self.run;
         let session =
             Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
-        display::show(session, self.manual.name, &options.run)
+        display::show(session, self.manual.name, &run_options)
     }
 }

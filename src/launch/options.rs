@@ -1,6 +1,9 @@
 //! The options that every program takes.
 
-use crate::machine::{Folder, Language, Machine, Offers, RecoveryFolder, Settings, state_folder};
+use super::config::{self, ConfigFile};
+use crate::machine::{
+    Folder, Language, Machine, Offers, Preferences, RecoveryFolder, Settings, Shown, state_folder,
+};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -20,6 +23,15 @@ pub enum DisplayKind {
 enum Code {
     Hu,
     En,
+}
+
+impl Code {
+    fn of(language: Language) -> Code {
+        match language {
+            Language::Hungarian => Code::Hu,
+            Language::English => Code::En,
+        }
+    }
 }
 
 /// A program's command line.
@@ -53,6 +65,9 @@ pub struct RunOptions {
     /// Where random numbers start from
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
+    /// What the user has chosen for all programs, once it has been looked up.
+    #[arg(skip)]
+    preferences: Option<Preferences>,
 }
 
 impl RunOptions {
@@ -69,11 +84,34 @@ impl RunOptions {
     /// These options with a language.
     #[must_use]
     pub fn in_language(&self, language: Language) -> RunOptions {
-        let code = match language {
-            Language::Hungarian => Code::Hu,
-            Language::English => Code::En,
-        };
-        RunOptions { lang: Some(code), ..self.clone() }
+        RunOptions { lang: Some(Code::of(language)), ..self.clone() }
+    }
+
+    /// These options with the user's preferences where they leave a choice. A script, which is to give the same
+    /// everywhere, knows none.
+    #[must_use]
+    pub fn preferred(&self) -> RunOptions {
+        if self.script.is_some() || self.preferences.is_some() {
+            return self.clone();
+        }
+        let preferences = config::preferences();
+        let display = preferences.display.map(|shown| match shown {
+            Shown::Window => DisplayKind::Window,
+            Shown::Terminal => DisplayKind::Terminal,
+        });
+        RunOptions {
+            lang: self.lang.or(preferences.language.map(Code::of)),
+            display: self.display.or(display),
+            scale: self.scale.or(preferences.scale),
+            preferences: Some(preferences),
+            ..self.clone()
+        }
+    }
+
+    /// The folder of a program that is given no file: the user's, or the current one.
+    pub(super) fn folder(&self) -> PathBuf {
+        let chosen = self.preferences.as_ref().and_then(|preferences| preferences.folder.as_ref());
+        chosen.map(PathBuf::from).unwrap_or_default()
     }
 
     /// These options with a file, or without.
@@ -94,8 +132,12 @@ impl RunOptions {
         let live = self.script.is_none() && self.display != Some(DisplayKind::None);
         let recovery = live.then(recovery);
         let machine = Machine::new(Box::new(Folder::new(folder)), settings);
-        match recovery {
+        let machine = match recovery {
             Some(recovery) => machine.with_recovery(recovery),
+            None => machine,
+        };
+        match &self.preferences {
+            Some(preferences) => machine.with_preferences(preferences.clone(), ConfigFile),
             None => machine,
         }
     }

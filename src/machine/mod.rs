@@ -28,6 +28,7 @@ mod film;
 #[cfg(feature = "native")]
 mod folder;
 mod port;
+mod preferences;
 mod record;
 mod recovery;
 mod samples;
@@ -44,6 +45,7 @@ pub use files::{Files, Standing};
 #[cfg(feature = "native")]
 pub use folder::{Folder, LARGEST_FILE, write_safely};
 pub use port::Wait;
+pub use preferences::{Keeper, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
 #[cfg(feature = "native")]
@@ -142,6 +144,7 @@ pub struct Machine {
     screen: Box<Screen>,
     files: Files,
     recovery: Option<Box<dyn Recovery>>,
+    keeper: Option<Box<dyn Keeper>>,
     file: Option<String>,
     seed: u64,
     film: Option<Film>,
@@ -160,6 +163,7 @@ impl Machine {
             filming: false,
             lost: None,
             language: settings.language,
+            preferences: Preferences::default(),
             answer: None,
         };
         Machine {
@@ -167,6 +171,7 @@ impl Machine {
             screen: Box::new(Screen::new()),
             files: Files::new(storage),
             recovery: None,
+            keeper: None,
             file: None,
             seed: settings.seed,
             film: None,
@@ -177,6 +182,14 @@ impl Machine {
     #[must_use]
     pub fn with_recovery(mut self, recovery: impl Recovery + 'static) -> Machine {
         self.recovery = Some(Box::new(recovery));
+        self
+    }
+
+    /// The machine with the preferences of its user, and with a place where changed ones are kept.
+    #[must_use]
+    pub fn with_preferences(mut self, preferences: Preferences, keeper: impl Keeper + 'static) -> Machine {
+        self.port.borrow_mut().preferences = preferences;
+        self.keeper = Some(Box::new(keeper));
         self
     }
 
@@ -244,6 +257,24 @@ impl Machine {
     /// Changes the language of the texts; the caller draws the screen again.
     pub fn set_language(&mut self, language: Language) {
         self.port.borrow_mut().language = language;
+    }
+
+    /// What the user has chosen for all programs.
+    pub fn preferences(&self) -> Preferences {
+        self.port.borrow().preferences.clone()
+    }
+
+    /// Changes what the user has chosen: colours and language at once, the rest at the next start.
+    ///
+    /// # Errors
+    /// Why it cannot be kept; it counts until the program ends.
+    pub fn set_preferences(&mut self, preferences: Preferences) -> Result<(), String> {
+        if let Some(language) = preferences.language {
+            self.set_language(language);
+        }
+        let kept = self.keeper.as_mut().map_or(Ok(()), |keeper| keeper.keep(&preferences));
+        self.port.borrow_mut().preferences = preferences;
+        kept
     }
 
     /// Chooses the mouse pointer.

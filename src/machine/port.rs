@@ -4,7 +4,7 @@
 //! display has its turn. The screen changes hands at the await, so that both sides own it plainly.
 
 use super::event::{Mouse, Tick};
-use super::{Language, Pointer, Quit, StorageError};
+use super::{Language, Pointer, Preferences, Quit, StorageError};
 use crate::screen::Screen;
 use serde::Serialize;
 use std::cell::RefCell;
@@ -46,6 +46,7 @@ pub(super) struct Port {
     pub(super) wait: Wait,
     pub(super) model: Option<Box<dyn Model>>,
     pub(super) language: Language,
+    pub(super) preferences: Preferences,
     /// Whether a film is being made.
     pub(super) filming: bool,
     /// What could not be saved when the program was gone.

@@ -6,8 +6,8 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Language, Machine, Pointer, Quit, StorageError};
-use crate::screen::{Color, Masks, Screen, WIDTH};
+use super::{Language, Machine, Pointer, PointerSpeed, Quit, StorageError};
+use crate::screen::{Color, Masks, Palette, Screen, WIDTH};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
 use std::pin::Pin;
@@ -100,6 +100,16 @@ impl Session {
     /// The language that the program speaks now.
     pub fn language(&self) -> Language {
         self.port.borrow().language
+    }
+
+    /// How the colours are to look.
+    pub fn palette(&self) -> Palette {
+        self.port.borrow().preferences.palette
+    }
+
+    /// How far keys move the mouse.
+    pub fn pointer_speed(&self) -> PointerSpeed {
+        self.port.borrow().preferences.pointer_speed
     }
 
     /// The program's model as JSON, if it has one.

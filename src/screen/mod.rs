@@ -21,6 +21,7 @@ mod color;
 mod ellipse;
 mod letters;
 mod line;
+mod palette;
 mod pointer;
 mod polygon;
 mod title;
@@ -29,6 +30,7 @@ pub use bitmap::{Bitmap, Put};
 pub use color::Color;
 pub use letters::{Letter, glyph};
 pub use line::{Pattern, Stroke, Width};
+pub use palette::Palette;
 pub use pointer::Masks;
 pub use title::{Direction, title_size};
 

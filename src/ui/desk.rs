@@ -75,8 +75,8 @@ pub struct Desk<'m> {
     notice: Option<Notice>,
     /// How long the help page and the questions about a figure have been open, all times together.
     away: Duration,
-    /// Whether there are questions about a figure.
-    saving: bool,
+    /// Whether the desk is busy with a key of its own, F9 or F10.
+    aside: bool,
 }
 
 /// When a desk wakes a program without any event.
@@ -90,7 +90,7 @@ enum Wake {
 impl<'m> Desk<'m> {
     /// A desk for a program.
     pub fn new(machine: &'m mut Machine, manual: Manual) -> Desk<'m> {
-        Desk { machine, manual, notice: None, away: Duration::ZERO, saving: false }
+        Desk { machine, manual, notice: None, away: Duration::ZERO, aside: false }
     }
 
     /// The name of the program that works here.
@@ -99,7 +99,7 @@ impl<'m> Desk<'m> {
     }
 
     /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
-    /// (language), F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) are dealt with here.
+    /// (language), F9 (settings), F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) are dealt with here.
     ///
     /// # Errors
     /// [`Quit`] when the display is being closed.
@@ -155,7 +155,8 @@ impl<'m> Desk<'m> {
             match tick.key() {
                 Some(Key::F(1)) => self.help().await?,
                 Some(Key::F(2)) => self.machine.set_language(self.machine.language().other()),
-                Some(Key::F(10)) if !self.saving => self.save_figure(picture).await?,
+                Some(Key::F(9)) if !self.aside => self.change_settings(picture).await?,
+                Some(Key::F(10)) if !self.aside => self.save_figure(picture).await?,
                 Some(Key::F(12)) => self.keep_picture(),
                 Some(Key::CtrlF(12)) => self.switch_film(),
                 None if tick.event.is_none() && !due => {}
@@ -221,11 +222,22 @@ impl<'m> Desk<'m> {
     /// same desk; what is nested has to stand on the heap.
     async fn save_figure(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
         let begun = self.machine.now();
-        self.saving = true;
+        self.aside = true;
         let asked: Pin<Box<dyn Future<Output = Result<(), Quit>> + '_>> =
             Box::pin(self.ask_and_save_figure(picture));
         let ended = asked.await;
-        self.saving = false;
+        self.aside = false;
+        self.away += self.machine.now().saturating_sub(begun);
+        ended
+    }
+
+    /// Shows the settings, and keeps the time that it takes.
+    async fn change_settings(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
+        let begun = self.machine.now();
+        self.aside = true;
+        let chosen: Pin<Box<dyn Future<Output = Result<(), Quit>> + '_>> = Box::pin(self.settings(picture));
+        let ended = chosen.await;
+        self.aside = false;
         self.away += self.machine.now().saturating_sub(begun);
         ended
     }
@@ -255,6 +267,7 @@ impl<'m> Desk<'m> {
 const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),
+    (Words("F9", "F9"), words::HELP_SETTINGS),
     (Words("F10", "F10"), words::HELP_FIGURE),
     (Words("F11", "F11"), words::HELP_LARGEST),
     (Words("F12", "F12"), words::HELP_PICTURE),

@@ -12,6 +12,7 @@ mod lesson;
 mod notice;
 mod overwrite;
 mod save;
+mod settings;
 mod stopwatch;
 pub mod words;
 

@@ -213,7 +213,7 @@ impl Desk<'_> {
 }
 
 /// A line in the window of the page at the top.
-fn line_entry(longest: usize, accepts: Accepts) -> Entry {
+pub(super) fn line_entry(longest: usize, accepts: Accepts) -> Entry {
     let (x, y) = TOP;
     Entry::new(Area::new(x + 6, y + 19, x + 234, y + 33), (x + 12, y + 23), longest, accepts)
 }

@@ -174,9 +174,16 @@ pub(crate) fn film_full(name: &str) -> Phrase {
 }
 
 // The help page.
+pub(crate) const HELP_SETTINGS: Words = Words("beállítások", "settings");
 pub(crate) const HELP_FIGURE: Words = Words("ábra mentése: SVG, PNG, PDF", "save a figure: SVG, PNG, PDF");
 pub(crate) const HELP_FILM: Words = Words("film (GIF) kezdete, vége", "film (GIF): start, end");
 pub(crate) const HELP_UNDO: Words = Words("visszavonás, mégis", "undo, redo");
+// The settings page.
+pub(crate) const SETTINGS: Words = Words("Beállítások minden programhoz", "Settings of all programs");
+pub(crate) const SETTINGS_KEYS: Words =
+    Words("Fel, Le; Bal, Jobb: változtat; Esc: vissza", "Up, Down; Left, Right: change; Esc: back");
+pub(crate) const FOLDER_ENTRY: Words = Words("Mappa:", "Folder:");
+
 pub(crate) const HELP_HELP: Words = Words("ez a lap", "this page");
 pub(crate) const HELP_LANGUAGE: Words = Words("nyelv: magyar, angol", "language: Hungarian, English");
 pub(crate) const HELP_LARGEST: Words = Words("legnagyobb ablak és vissza", "largest window and back");

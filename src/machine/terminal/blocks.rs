@@ -2,7 +2,7 @@
 //! characters over them.
 
 use super::place::Place;
-use crate::screen::{Color, HEIGHT, Letter, Screen, WIDTH};
+use crate::screen::{Color, HEIGHT, Letter, Palette, Screen, WIDTH};
 use std::fmt::Write;
 
 /// One character of the terminal; the colours are those of the picture.
@@ -24,6 +24,12 @@ pub(super) enum Depth {
     Sixteen,
 }
 
+/// The number of the nearest level of xterm's cube.
+fn nearest_level(level: u8) -> u32 {
+    const LEVELS: [u8; 6] = [0, 95, 135, 175, 215, 255];
+    (0..).zip(LEVELS).min_by_key(|(_, known)| known.abs_diff(level)).map_or(0, |(number, _)| number)
+}
+
 impl Depth {
     /// What the environment says of a terminal.
     pub(super) fn of(colorterm: &str, term: &str) -> Depth {
@@ -38,19 +44,13 @@ impl Depth {
 
     /// The parameters of the control sequence that selects a colour; `base` is 30 for the ink and 40 for
     /// the paper.
-    fn sequence(self, base: u32, index: u8) -> String {
+    fn sequence(self, palette: Palette, base: u32, index: u8) -> String {
         let color = Color::from_index(index);
-        let [red, green, blue] = color.rgb();
+        let [red, green, blue] = palette.rgb(color);
         match self {
             Depth::Full => format!("{};2;{red};{green};{blue}", base + 8),
             Depth::Cube => {
-                // The cube has the levels 0, 95, 135, 175, 215, 255.
-                let [red, green, blue] = [red, green, blue].map(|level| match level {
-                    0 => 0,
-                    85 => 1,
-                    170 => 3,
-                    _ => 5,
-                });
+                let [red, green, blue] = [red, green, blue].map(nearest_level);
                 format!("{};5;{}", base + 8, 16 + 36 * red + 6 * green + blue)
             }
             Depth::Sixteen => {
@@ -244,7 +244,12 @@ fn write_texts(cells: &mut [Cell], letters: &[Letter], place: Place) {
 
 /// The control sequences that turn one picture of cells into another one; `before` is `None` when nothing
 /// is known of what the terminal shows.
-pub(super) fn difference(before: Option<&[Cell]>, after: &[Cell], place: Place, depth: Depth) -> String {
+pub(super) fn difference(
+    before: Option<&[Cell]>,
+    after: &[Cell],
+    place: Place,
+    (depth, palette): (Depth, Palette),
+) -> String {
     let mut out = String::new();
     let mut cursor = None;
     let mut colors = None;
@@ -259,7 +264,8 @@ pub(super) fn difference(before: Option<&[Cell]>, after: &[Cell], place: Place, 
             let _ = write!(out, "\x1b[{row};{column}H");
         }
         if colors != Some((cell.ink, cell.paper)) {
-            let (ink, paper) = (depth.sequence(30, cell.ink), depth.sequence(40, cell.paper));
+            let (ink, paper) =
+                (depth.sequence(palette, 30, cell.ink), depth.sequence(palette, 40, cell.paper));
             let _ = write!(out, "\x1b[{ink};{paper}m");
             colors = Some((cell.ink, cell.paper));
         }
@@ -331,10 +337,12 @@ mod tests {
         let before = grid(&screen, None, size);
         screen.text(8, 16, "ab", Color::Yellow);
         let after = grid(&screen, None, size);
-        let written = difference(Some(&before), &after, size, Depth::Sixteen);
+        let written = difference(Some(&before), &after, size, (Depth::Sixteen, Palette::Vga));
         assert_eq!(written, "\x1b[2;2H\x1b[93;40mab\x1b[0m");
-        assert_eq!(difference(Some(&after), &after, size, Depth::Full), "");
-        assert!(difference(None, &after, size, Depth::Cube).contains("\x1b[38;5;227;48;5;16mab"));
+        assert_eq!(difference(Some(&after), &after, size, (Depth::Full, Palette::Vga)), "");
+        assert!(
+            difference(None, &after, size, (Depth::Cube, Palette::Vga)).contains("\x1b[38;5;227;48;5;16mab")
+        );
     }
 
     #[test]
@@ -342,8 +350,8 @@ mod tests {
         assert_eq!(Depth::of("truecolor", "xterm"), Depth::Full);
         assert_eq!(Depth::of("", "xterm-256color"), Depth::Cube);
         assert_eq!(Depth::of("", "linux"), Depth::Sixteen);
-        assert_eq!(Depth::Sixteen.sequence(30, Color::Blue.index()), "34");
-        assert_eq!(Depth::Sixteen.sequence(40, Color::LightRed.index()), "101");
-        assert_eq!(Depth::Full.sequence(40, Color::Brown.index()), "48;2;170;85;0");
+        assert_eq!(Depth::Sixteen.sequence(Palette::Vga, 30, Color::Blue.index()), "34");
+        assert_eq!(Depth::Sixteen.sequence(Palette::Vga, 40, Color::LightRed.index()), "101");
+        assert_eq!(Depth::Full.sequence(Palette::Vga, 40, Color::Brown.index()), "48;2;170;85;0");
     }
 }

@@ -4,7 +4,7 @@
 //! first have to guess them again.
 
 use super::place::Place;
-use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 use base64::{Engine, engine::general_purpose::STANDARD};
 
 /// The number of the picture among the terminal's images.
@@ -22,11 +22,11 @@ pub(super) fn kitty_delete() -> String {
 ///
 /// # Errors
 /// The message of the PNG encoder.
-pub(super) fn kitty(picture: &Screen, place: Place) -> Result<Vec<u8>, png::EncodingError> {
+pub(super) fn kitty(picture: &Screen, palette: Palette, place: Place) -> Result<Vec<u8>, png::EncodingError> {
     let reduced = place.width < WIDTH as usize;
     // The terminal reduces more smoothly than picking pixels would.
     let size = if reduced { (WIDTH as usize, HEIGHT as usize) } else { (place.width, place.height) };
-    let text = STANDARD.encode(png_of(&scaled(picture, size), size)?);
+    let text = STANDARD.encode(png_of(&scaled(picture, size), palette, size)?);
     let mut control = format!("a=T,f=100,i={IMAGE},p=1,q=2,C=1");
     if reduced {
         let columns = place.width / usize::from(place.cell.0.max(1));
@@ -57,13 +57,17 @@ pub(super) fn scaled(picture: &Screen, (width, height): (usize, usize)) -> Vec<u
     pixels
 }
 
-fn png_of(pixels: &[u8], (width, height): (usize, usize)) -> Result<Vec<u8>, png::EncodingError> {
+fn png_of(
+    pixels: &[u8],
+    palette: Palette,
+    (width, height): (usize, usize),
+) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     // A terminal's pixels are far fewer than 32 bits count.
     let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
-    encoder.set_palette(Color::ALL.iter().flat_map(|color| color.rgb()).collect::<Vec<u8>>());
+    encoder.set_palette(Color::ALL.iter().flat_map(|color| palette.rgb(*color)).collect::<Vec<u8>>());
     encoder.set_compression(png::Compression::Fast);
     encoder.set_filter(png::Filter::NoFilter);
     let packed: Vec<u8> = pixels
@@ -77,11 +81,11 @@ fn png_of(pixels: &[u8], (width, height): (usize, usize)) -> Result<Vec<u8>, png
 }
 
 /// A rectangle of a scaled picture as a Sixel image, to be shown at the cursor.
-pub(super) fn sixel(pixels: &[u8], stride: usize, part: Part) -> Vec<u8> {
+pub(super) fn sixel(pixels: &[u8], palette: Palette, stride: usize, part: Part) -> Vec<u8> {
     let (width, height) = (part.right - part.left, part.bottom - part.top);
     let mut out = format!("\x1bP0;1;0q\"1;1;{width};{height}").into_bytes();
     for color in Color::ALL {
-        let [red, green, blue] = color.rgb().map(|level| (u32::from(level) * 100 + 127) / 255);
+        let [red, green, blue] = palette.rgb(color).map(|level| (u32::from(level) * 100 + 127) / 255);
         out.extend_from_slice(format!("#{};2;{red};{green};{blue}", color.index()).as_bytes());
     }
     for top in (part.top..part.bottom).step_by(6) {
@@ -157,7 +161,7 @@ mod tests {
             ((490, 368), Part { left: 0, top: 0, right: 490, bottom: 368 }),
         ] {
             let pixels = scaled(&picture(), size);
-            let decoded = icy_sixel::SixelImage::decode(&sixel(&pixels, size.0, part)).unwrap();
+            let decoded = icy_sixel::SixelImage::decode(&sixel(&pixels, Palette::Vga, size.0, part)).unwrap();
             // The decoder counts whole bands.
             let bands = (part.bottom - part.top).next_multiple_of(6);
             assert_eq!((decoded.width, decoded.height), (part.right - part.left, bands));
@@ -175,7 +179,7 @@ mod tests {
     #[test]
     fn kitty_sends_a_png_of_the_same_pixels_in_chunks() {
         let place = Place { column: 0, row: 0, width: 1280, height: 960, cell: (10, 20) };
-        let sent = String::from_utf8(kitty(&picture(), place).unwrap()).unwrap();
+        let sent = String::from_utf8(kitty(&picture(), Palette::Vga, place).unwrap()).unwrap();
         let mut text = String::new();
         for message in sent.split("\x1b_G").skip(1) {
             let (_, data) = message.strip_suffix("\x1b\\").unwrap().split_once(';').unwrap();

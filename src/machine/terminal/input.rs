@@ -1,5 +1,6 @@
 //! Keys and mouse of a terminal as programs see them, and a mouse for those who have only keys.
 
+use super::super::PointerSpeed;
 use super::super::event::{Button, Event, Key};
 use super::place::{Extent, Place};
 use crate::screen::{HEIGHT, WIDTH};
@@ -49,7 +50,7 @@ pub const KEY_HELP: [KeyHelp; 6] = [
     KeyHelp { keys: "Ctrl+C", hungarian: "kilépés", english: "close the program" },
 ];
 
-/// How far Ctrl and an arrow move the mouse, in pixels: one letter.
+/// How far Ctrl and an arrow move the mouse at the least speed, in pixels: one letter.
 const STRIDE: i32 = 8;
 
 /// The keyboard and the mouse of a terminal.
@@ -66,7 +67,7 @@ impl Input {
     }
 
     /// What a key means; `at` is where the mouse is.
-    pub(super) fn key(&mut self, event: KeyEvent, at: (i32, i32)) -> Option<Event> {
+    pub(super) fn key(&mut self, event: KeyEvent, at: (i32, i32), speed: PointerSpeed) -> Option<Event> {
         if event.kind == KeyEventKind::Release {
             return None;
         }
@@ -76,7 +77,7 @@ impl Input {
             event.modifiers.contains(KeyModifiers::SHIFT),
         );
         let stride = match (ctrl || alt, shift) {
-            (true, _) => Some(STRIDE),
+            (true, _) => Some(STRIDE * speed.letters()),
             (false, true) => Some(1),
             (false, false) => None,
         };
@@ -195,7 +196,7 @@ mod tests {
     use super::*;
 
     fn key(input: &mut Input, code: KeyCode, modifiers: KeyModifiers) -> Option<Event> {
-        input.key(KeyEvent::new(code, modifiers), (320, 240))
+        input.key(KeyEvent::new(code, modifiers), (320, 240), PointerSpeed::default())
     }
 
     #[test]

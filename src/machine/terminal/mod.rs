@@ -19,7 +19,7 @@ pub use tty::Signals;
 use super::Language;
 use super::event::Event;
 use super::session::{Clock, Session};
-use crate::screen::Screen;
+use crate::screen::{Palette, Screen};
 use blocks::{Cell, Depth};
 use crossterm::event::Event as Told;
 use graphics::Part;
@@ -145,6 +145,7 @@ struct View<'t> {
     extent: Extent,
     style: Style,
     depth: Depth,
+    palette: Palette,
     input: Input,
     shown: Shown,
     shown_at: Option<Instant>,
@@ -161,6 +162,7 @@ impl<'t> View<'t> {
             extent,
             style: Style::of(tty, extent),
             depth: Depth::of(&variable("COLORTERM"), &variable("TERM")),
+            palette: Palette::default(),
             input: Input::new(tty.answers.pixel_mouse),
             shown: Shown::Nothing,
             shown_at: None,
@@ -191,7 +193,7 @@ impl<'t> View<'t> {
         let mut at = (session.mouse().x, session.mouse().y);
         for told in told {
             match told {
-                Told::Key(key) => events.extend(self.input.key(key, at)),
+                Told::Key(key) => events.extend(self.input.key(key, at, session.pointer_speed())),
                 Told::Mouse(mouse) => {
                     if let Some(place) = self.style.place() {
                         let (moved, what) = self.input.mouse(mouse, place, self.extent);
@@ -227,6 +229,10 @@ impl<'t> View<'t> {
 
     fn show(&mut self, session: &Session) -> Result<(), TerminalError> {
         let mut frame = Vec::new();
+        if self.palette != session.palette() {
+            self.palette = session.palette();
+            self.redraw = true;
+        }
         if std::mem::take(&mut self.redraw) {
             if matches!(self.shown, Shown::Picture(_)) {
                 frame.extend_from_slice(graphics::kitty_delete().as_bytes());
@@ -257,8 +263,8 @@ impl<'t> View<'t> {
         if matches!(&self.shown, Shown::Picture(shown) if *shown == picture) {
             return Ok(());
         }
-        let image =
-            graphics::kitty(&picture, place).map_err(|error| TerminalError::Lost(error.to_string()))?;
+        let image = graphics::kitty(&picture, self.palette, place)
+            .map_err(|error| TerminalError::Lost(error.to_string()))?;
         frame.extend_from_slice(go_to(place.column, place.row).as_bytes());
         frame.extend_from_slice(&image);
         self.shown = Shown::Picture(picture);
@@ -276,7 +282,7 @@ impl<'t> View<'t> {
             let column = place.column + (part.left / usize::from(place.cell.0)) as u16;
             let row = place.row + (part.top / usize::from(place.cell.1)) as u16;
             frame.extend_from_slice(go_to(column, row).as_bytes());
-            frame.extend_from_slice(&graphics::sixel(&pixels, place.width, part));
+            frame.extend_from_slice(&graphics::sixel(&pixels, self.palette, place.width, part));
         }
         self.shown = Shown::Pixels(pixels);
     }
@@ -288,7 +294,9 @@ impl<'t> View<'t> {
             Shown::Cells(before) => Some(before.as_slice()),
             _ => None,
         };
-        frame.extend_from_slice(blocks::difference(before, &cells, place, self.depth).as_bytes());
+        frame.extend_from_slice(
+            blocks::difference(before, &cells, place, (self.depth, self.palette)).as_bytes(),
+        );
         self.shown = Shown::Cells(cells);
     }
 

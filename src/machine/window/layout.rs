@@ -3,7 +3,7 @@
 //! The picture is magnified by the largest whole factor that fits and stands in the middle of black
 //! margins. Only a window smaller than the picture shows it reduced, so that nothing is out of reach.
 
-use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 
 /// Width and height of the picture as a window counts.
 const PICTURE: (usize, usize) = (WIDTH as usize, HEIGHT as usize);
@@ -48,12 +48,12 @@ impl Layout {
 
     /// Paints the window: one number 0RGB a pixel, row by row. Does nothing to `pixels` of another size
     /// than the layout's.
-    pub(super) fn paint(&self, picture: &Screen, pixels: &mut [u32]) {
+    pub(super) fn paint(&self, picture: &Screen, palette: Palette, pixels: &mut [u32]) {
         if pixels.len() != self.window.0 * self.window.1 {
             return;
         }
-        let palette = Color::ALL.map(|color| {
-            let [red, green, blue] = color.rgb();
+        let shades = Color::ALL.map(|color| {
+            let [red, green, blue] = palette.rgb(color);
             u32::from_be_bytes([0, red, green, blue])
         });
         let sources: Vec<usize> = (0..self.shown.0).map(|x| x * PICTURE.0 / self.shown.0).collect();
@@ -72,7 +72,7 @@ impl Layout {
                     let target = pixels.get_mut(start..).unwrap_or(&mut []);
                     for (pixel, &x) in target.iter_mut().zip(&sources) {
                         let index = line.get(x).map_or(0, |&index| usize::from(index & 15));
-                        *pixel = palette[index];
+                        *pixel = shades[index];
                     }
                     painted = Some((source, start));
                 }
@@ -113,7 +113,7 @@ mod tests {
         picture.set(639, 479, Color::Brown);
         let layout = Layout::of((1283, 965));
         let mut pixels = vec![7; 1283 * 965];
-        layout.paint(&picture, &mut pixels);
+        layout.paint(&picture, Palette::Vga, &mut pixels);
         let at = |x: usize, y: usize| pixels[y * 1283 + x];
         assert_eq!([at(1, 2), at(2, 3), at(3, 3), at(0, 2), at(1, 1)], [0xFF_FF55, 0xFF_FF55, 0, 0, 0]);
         assert_eq!([at(1280, 961), at(1279, 960), at(1281, 961)], [0xAA_5500, 0xAA_5500, 0]);
@@ -129,7 +129,7 @@ mod tests {
             let mut pixels = vec![7; layout.window.0 * layout.window.1];
             let mut picture = Screen::new();
             picture.clear(Color::White);
-            layout.paint(&picture, &mut pixels);
+            layout.paint(&picture, Palette::Vga, &mut pixels);
             let white = pixels.iter().filter(|&&pixel| pixel == 0xFF_FFFF).count();
             prop_assert_eq!(white, layout.shown.0 * layout.shown.1);
             prop_assert!(layout.corner.0 + layout.shown.0 <= layout.window.0);

@@ -9,7 +9,7 @@ mod layout;
 
 use super::event::{Button, Event, Key};
 use super::session::{Clock, Session};
-use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 use keys::Stroke;
 use layout::Layout;
 use std::fmt;
@@ -141,6 +141,7 @@ struct View<'s> {
     pane: Option<Pane>,
     /// The picture that the window shows, or is about to be painted with.
     picture: Screen,
+    palette: Palette,
     modifiers: ModifiersState,
     /// Where the mouse has moved since the program was told last.
     moved: Option<(i32, i32)>,
@@ -154,6 +155,7 @@ impl<'s> View<'s> {
     fn new(session: &'s mut Session, options: &'s WindowOptions, display: OwnedDisplayHandle) -> View<'s> {
         View {
             picture: session.picture(),
+            palette: session.palette(),
             session,
             options,
             display,
@@ -202,16 +204,16 @@ impl<'s> View<'s> {
         };
         pane.surface.resize(width, height)?;
         let mut pixels = pane.surface.buffer_mut()?;
-        layout_of(size).paint(&self.picture, &mut pixels);
+        layout_of(size).paint(&self.picture, self.palette, &mut pixels);
         pane.window.pre_present_notify();
         pixels.present()
     }
 
     /// Asks for a painting when the picture has changed.
     fn refresh(&mut self) {
-        let picture = self.session.picture();
-        if picture != self.picture {
-            self.picture = picture;
+        let (picture, palette) = (self.session.picture(), self.session.palette());
+        if picture != self.picture || palette != self.palette {
+            (self.picture, self.palette) = (picture, palette);
             if let Some(pane) = &self.pane {
                 pane.window.request_redraw();
             }

@@ -1,0 +1,35 @@
+//! `grafika config`: the settings of all programs on the command line.
+
+use clap::Args;
+use grafika::launch::{Failure, config_path, configure, write_output};
+
+/// The command line of `grafika config`.
+#[derive(Args)]
+#[command(after_help = "Examples:
+  grafika config
+  grafika config palette amber
+  grafika config folder ~/curves
+  grafika config --path")]
+pub(crate) struct Config {
+    /// The setting to show or change; without it, all of them
+    #[arg(value_name = "SETTING")]
+    key: Option<String>,
+    /// Its new value
+    #[arg(value_name = "VALUE")]
+    value: Option<String>,
+    /// Show where the settings are kept
+    #[arg(long, conflicts_with = "key")]
+    path: bool,
+}
+
+impl Config {
+    /// Shows or changes settings.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.path {
+            let path = config_path()
+                .ok_or_else(|| Failure::work("the environment names no home folder to keep settings in"))?;
+            return write_output(None, format!("{}\n", path.display()).as_bytes());
+        }
+        write_output(None, configure(self.key.as_deref(), self.value.as_deref())?.as_bytes())
+    }
+}

@@ -1,0 +1,246 @@
+//! What a user has chosen once for all programs. Values only: where they are kept is the business of who
+//! starts the programs, which a machine reaches through [`Keeper`].
+
+use super::Language;
+use crate::screen::Palette;
+
+/// The choices. What is not chosen is left to the environment.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Preferences {
+    /// The language of the texts at the start.
+    pub language: Option<Language>,
+    /// Where programs show themselves.
+    pub display: Option<Shown>,
+    /// By which whole factor the window is larger than 640x480, 1 to 16.
+    pub scale: Option<u32>,
+    /// How the colours look.
+    pub palette: Palette,
+    /// By how many letters Ctrl with an arrow key moves the mouse in the terminal, 1 to 8.
+    pub pointer_speed: PointerSpeed,
+    /// The folder where programs that were given no file keep theirs.
+    pub folder: Option<String>,
+}
+
+/// A place for programs to show themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// In a window.
+    Window,
+    /// In the terminal.
+    Terminal,
+}
+
+/// How far a key moves the mouse, in letters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PointerSpeed(u8);
+
+impl Default for PointerSpeed {
+    fn default() -> Self {
+        PointerSpeed(1)
+    }
+}
+
+impl PointerSpeed {
+    /// The number of letters.
+    #[must_use]
+    pub fn letters(self) -> i32 {
+        i32::from(self.0)
+    }
+}
+
+/// What can be chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "each is the field of the same name")]
+pub enum Preference {
+    Language,
+    Display,
+    Scale,
+    Palette,
+    PointerSpeed,
+    Folder,
+}
+
+/// Leaves a choice to the environment.
+const AUTO: &str = "auto";
+const SCALES: [&str; 9] = [AUTO, "1", "2", "3", "4", "5", "6", "7", "8"];
+const SPEEDS: [&str; 5] = ["1", "2", "3", "4", "8"];
+const LANGUAGES: [&str; 3] = [AUTO, "hu", "en"];
+const DISPLAYS: [&str; 3] = [AUTO, "window", "terminal"];
+const PALETTES: [&str; 5] = [
+    Palette::Vga.name(),
+    Palette::Amber.name(),
+    Palette::Green.name(),
+    Palette::Contrast.name(),
+    Palette::ColorBlind.name(),
+];
+
+impl Preference {
+    /// Everything, in the order of the settings page.
+    pub const ALL: [Preference; 6] = [
+        Preference::Language,
+        Preference::Display,
+        Preference::Scale,
+        Preference::Palette,
+        Preference::PointerSpeed,
+        Preference::Folder,
+    ];
+
+    /// The name of the setting in its file and on the command line.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Preference::Language => "language",
+            Preference::Display => "display",
+            Preference::Scale => "scale",
+            Preference::Palette => "palette",
+            Preference::PointerSpeed => "pointer_speed",
+            Preference::Folder => "folder",
+        }
+    }
+
+    /// The setting of a name.
+    #[must_use]
+    pub fn from_key(key: &str) -> Option<Preference> {
+        Preference::ALL.into_iter().find(|preference| preference.key() == key)
+    }
+
+    /// The values to choose from; none where any text is one.
+    #[must_use]
+    pub const fn values(self) -> &'static [&'static str] {
+        match self {
+            Preference::Language => &LANGUAGES,
+            Preference::Display => &DISPLAYS,
+            Preference::Scale => &SCALES,
+            Preference::Palette => &PALETTES,
+            Preference::PointerSpeed => &SPEEDS,
+            Preference::Folder => &[],
+        }
+    }
+}
+
+impl Preferences {
+    /// The value of a setting as text.
+    #[must_use]
+    pub fn get(&self, preference: Preference) -> String {
+        match preference {
+            Preference::Language => self.language.map_or(AUTO, Language::code).to_string(),
+            Preference::Display => match self.display {
+                None => AUTO,
+                Some(Shown::Window) => "window",
+                Some(Shown::Terminal) => "terminal",
+            }
+            .to_string(),
+            Preference::Scale => self.scale.map_or(AUTO.to_string(), |scale| scale.to_string()),
+            Preference::Palette => self.palette.name().to_string(),
+            Preference::PointerSpeed => self.pointer_speed.0.to_string(),
+            Preference::Folder => self.folder.clone().unwrap_or_default(),
+        }
+    }
+
+    /// Chooses the value of a setting, given as text.
+    ///
+    /// # Errors
+    /// Which values there are.
+    pub fn set(&mut self, preference: Preference, value: &str) -> Result<(), String> {
+        let value = value.trim();
+        let wrong = || {
+            let values = preference.values().join(", ");
+            format!("{} = {value:?}: there are {values}", preference.key())
+        };
+        let number = |most: u32| {
+            let number = value.parse().ok().filter(|number| (1..=most).contains(number));
+            number.ok_or_else(|| format!("{} = {value:?}: a number from 1 to {most}", preference.key()))
+        };
+        match preference {
+            Preference::Language if value == AUTO => self.language = None,
+            Preference::Language => self.language = Some(Language::from_code(value).ok_or_else(wrong)?),
+            Preference::Display => {
+                self.display = match value {
+                    AUTO => None,
+                    "window" => Some(Shown::Window),
+                    "terminal" => Some(Shown::Terminal),
+                    _ => return Err(wrong()),
+                }
+            }
+            Preference::Scale if value == AUTO => self.scale = None,
+            Preference::Scale => self.scale = Some(number(16)?),
+            Preference::Palette => self.palette = Palette::from_name(value).ok_or_else(wrong)?,
+            Preference::PointerSpeed => self.pointer_speed = PointerSpeed(number(8)? as u8),
+            Preference::Folder => self.folder = Some(value.to_string()).filter(|folder| !folder.is_empty()),
+        }
+        Ok(())
+    }
+
+    /// Chooses the next or the previous value of a setting, around the end. Nothing happens to one that is a
+    /// text.
+    pub fn turn(&mut self, preference: Preference, forward: bool) {
+        let values = preference.values();
+        let Some(last) = values.len().checked_sub(1) else { return };
+        let now = self.get(preference);
+        let at = values.iter().position(|value| *value == now);
+        let next = match (at, forward) {
+            (None, _) => 0,
+            (Some(at), true) => {
+                if at == last {
+                    0
+                } else {
+                    at + 1
+                }
+            }
+            (Some(at), false) => at.checked_sub(1).unwrap_or(last),
+        };
+        if let Some(value) = values.get(next) {
+            // Every value of the list is one.
+            let _ = self.set(preference, value);
+        }
+    }
+}
+
+/// Where preferences are kept.
+pub trait Keeper {
+    /// Keeps them for the next start.
+    ///
+    /// # Errors
+    /// Why they cannot be kept, for the user.
+    fn keep(&mut self, preferences: &Preferences) -> Result<(), String>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_listed_value_can_be_chosen_and_turns_around() {
+        for preference in Preference::ALL {
+            assert_eq!(Preference::from_key(preference.key()), Some(preference));
+            let mut preferences = Preferences::default();
+            let first = preferences.get(preference);
+            for value in preference.values() {
+                preferences.set(preference, value).unwrap();
+                assert_eq!(preferences.get(preference), *value);
+            }
+            preferences.set(preference, &first).unwrap();
+            preference.values().iter().for_each(|_| preferences.turn(preference, true));
+            assert_eq!(preferences.get(preference), first);
+            preferences.turn(preference, true);
+            preferences.turn(preference, false);
+            assert_eq!(preferences.get(preference), first);
+        }
+    }
+
+    #[test]
+    fn wrong_values_are_told_and_change_nothing() {
+        for preference in Preference::ALL.into_iter().filter(|it| !it.values().is_empty()) {
+            for value in ["", "0", "-1", "99", "x", "é"] {
+                let mut preferences = Preferences::default();
+                let message = preferences.set(preference, value).unwrap_err();
+                assert!(message.contains(preference.key()), "{message}");
+                assert_eq!(preferences, Preferences::default());
+            }
+        }
+        let mut preferences = Preferences::default();
+        preferences.set(Preference::Scale, "13").unwrap();
+        preferences.turn(Preference::Scale, true);
+        assert_eq!(preferences.get(Preference::Scale), AUTO);
+    }
+}
