@@ -215,6 +215,8 @@ fn closure(arcs: &[CubicBezier<2>]) -> Closure {
     if apart { Closure::Open } else { Closure::Closed }
 }
 
+const FORMATS: &str = "pictures are written as .png or .svg, surfaces also as .obj .stl .ply .step";
+
 /// What is written, by the extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
@@ -229,7 +231,7 @@ enum Format {
 impl Format {
     fn of(path: &std::path::Path) -> Result<Format, Failure> {
         let Some(extension) = extension(Some(path)) else {
-            return Err(Failure::usage("-o - has no extension: say what to write, as in --to png"));
+            return Err(Failure::usage(format!("-o - has no extension; say it, as in --to png: {FORMATS}")));
         };
         Format::parse(&extension).map_err(|why| Failure::usage(format!("-o {}: {why}", path.display())))
     }
@@ -243,11 +245,7 @@ impl Format {
             "stl" => Format::Stl,
             "ply" => Format::Ply,
             "step" | "stp" => Format::Step,
-            _ => {
-                return Err(
-                    "pictures are written as .png or .svg, surfaces also as .obj .stl .ply .step".to_owned()
-                );
-            }
+            _ => return Err(FORMATS.to_owned()),
         })
     }
 
