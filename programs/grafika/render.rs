@@ -210,6 +210,8 @@ impl Render {
     }
 }
 
+const FORMATS: &str = "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step";
+
 /// What is written, by the extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
@@ -225,7 +227,7 @@ enum Format {
 impl Format {
     fn of(path: &std::path::Path) -> Result<Format, Failure> {
         let Some(extension) = extension(Some(path)) else {
-            return Err(Failure::usage("-o - has no extension: say what to write, as in --to png"));
+            return Err(Failure::usage(format!("-o - has no extension; say it, as in --to png: {FORMATS}")));
         };
         Format::parse(&extension).map_err(|why| Failure::usage(format!("-o {}: {why}", path.display())))
     }
@@ -240,10 +242,7 @@ impl Format {
             "stl" => Format::Stl,
             "ply" => Format::Ply,
             "step" | "stp" => Format::Step,
-            _ => {
-                return Err("pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step"
-                    .to_owned());
-            }
+            _ => return Err(FORMATS.to_owned()),
         })
     }
 
