@@ -133,7 +133,9 @@ struct Pdf {
 
 impl Pdf {
     fn read(bytes: &[u8]) -> Pdf {
-        let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+        // As many characters as bytes.
+        let ascii = |&byte: &u8| if byte.is_ascii() { char::from(byte) } else { '?' };
+        let text: String = bytes.iter().map(ascii).collect();
         assert!(text.starts_with("%PDF-1.") && text.trim_end().ends_with("%%EOF"));
         let after = |text: &str, mark: &str| text.rsplit(mark).next().unwrap().trim().to_string();
         let table: usize = after(&text, "startxref").lines().next().unwrap().parse().unwrap();
@@ -149,11 +151,11 @@ impl Pdf {
             objects.push(object.to_string());
         }
         let stream = objects.iter().find(|object| object.contains("/FlateDecode")).expect("a page is drawn");
-        let length: usize =
-            stream.split("/Length ").nth(1).unwrap().split(['\n', ' ', '/']).next().unwrap().parse().unwrap();
-        let start = stream.find("stream\n").unwrap() + "stream\n".len();
-        let packed: Vec<u8> = stream[start..].chars().take(length).map(|ch| ch as u8).collect();
-        let content = miniz_oxide::inflate::decompress_to_vec_zlib(&packed).expect("zlib");
+        let length = stream.split("/Length ").nth(1).unwrap().split(['\n', ' ', '/']).next().unwrap();
+        let length: usize = length.parse().unwrap();
+        let start = text.find("stream\n").unwrap() + "stream\n".len();
+        let packed = &bytes[start..start + length];
+        let content = miniz_oxide::inflate::decompress_to_vec_zlib(packed).expect("zlib");
         Pdf { objects, content: String::from_utf8(content).expect("operators are ASCII") }
     }
 

@@ -10,8 +10,7 @@ use super::frame::Area;
 use super::notice::Stay;
 use super::words::{self, Hot, Phrase};
 use crate::figure::{
-    Axes, Figure, FigureError, LARGEST_SCALE, LARGEST_WIDTH, SMALLEST_WIDTH, screen_pdf, screen_png,
-    screen_png_of_scale, screen_svg,
+    Axes, Figure, FigureError, SMALLEST_WIDTH, screen_pdf, screen_png, screen_png_of_scale, screen_svg,
 };
 use crate::machine::{Quit, free_name};
 use crate::screen::{Color, Screen, WIDTH};
@@ -36,6 +35,8 @@ impl Kind {
 
 /// The width of a PNG that is proposed.
 const WIDTH_PROPOSED: &str = "1280";
+/// The largest width: nobody waits long for it. The command line writes larger ones.
+const WIDEST: i32 = 4096;
 /// Characters of a width, of a title and of a caption.
 const LONGEST_NUMBER: usize = 5;
 const LONGEST_TITLE: usize = 80;
@@ -228,8 +229,8 @@ impl Content {
     fn widths(&self) -> RangeInclusive<i32> {
         let pixels = |width: u32| i32::try_from(width).unwrap_or(i32::MAX);
         match self {
-            Content::Figure(_) => pixels(SMALLEST_WIDTH)..=pixels(LARGEST_WIDTH),
-            Content::Screen(_) => WIDTH..=WIDTH.saturating_mul(pixels(LARGEST_SCALE)),
+            Content::Figure(_) => pixels(SMALLEST_WIDTH)..=WIDEST,
+            Content::Screen(_) => WIDTH..=WIDEST,
         }
     }
 

@@ -60,7 +60,6 @@ fn key(dice: &mut Dice) -> Key {
         Key::F(8),
         Key::F(10),
         Key::F(11),
-        Key::F(12),
         Key::Ctrl('Z'),
         Key::Ctrl('Z'),
         Key::Ctrl('Y'),
