@@ -2,7 +2,11 @@
 //! drawers home, whatever becomes of the other beads. No position is nearer to solved than any of its colours.
 //!
 //! There are 341 550 patterns, at most 16 moves deep. One table serves all six colours: a pattern is turned
-//! until its colour is the first one.
+//! until its colour is the first one. A second one, of the grey bead, only serves the scores.
+//!
+//! Scores say how promising a position is, the lower the better. Every colour adds the square of its mean
+//! distance after three random moves: that tells patterns of the same distance apart by how many ways lead on.
+//! A beam of positions chosen so finds ways as short as one three times as wide chosen by the distances alone.
 
 use super::moves::{Action, Move};
 use super::state::{moved, turned};
@@ -12,6 +16,18 @@ use super::{ARMS, Wheel};
 const DRAWERS: usize = 27;
 /// Ways to choose four of 31 places.
 const CHOICES: usize = 31_465;
+/// Places of a bead.
+const PLACES: usize = 31;
+/// Moves.
+const MOVES: usize = Move::ALL.len();
+/// The score after a move that is not possible.
+pub(super) const BLOCKED: u16 = u16::MAX;
+/// No pattern.
+const NONE: u32 = u32::MAX;
+/// Mean distances are counted in parts of a move.
+const ONE: u32 = 1 << 12;
+/// A pattern is rated by its mean distance after so many random moves.
+const RANDOM_MOVES: usize = 3;
 /// The distance of a pattern that has not been reached.
 const UNKNOWN: u8 = u8::MAX;
 
@@ -31,14 +47,37 @@ const CHOOSE: [[u16; 32]; 4] = {
     table
 };
 
-/// The table, which is made piece by piece.
+/// Scores of the twelve positions after a move, in the order of the moves.
+pub(super) type Scores = [u16; MOVES];
+
+/// The distances of some beads with the drawers, made piece by piece.
+#[derive(Clone, Debug)]
+struct Table {
+    distance: Vec<u8>,
+    /// What the beads add to the scores of the positions after the moves; nothing until all is made.
+    after: Vec<Scores>,
+    making: Making,
+}
+
+/// What is only needed while a table is made.
+#[derive(Clone, Debug, Default)]
+struct Making {
+    /// Patterns in the order in which they were reached: places of the beads, places with any bead.
+    reached: Vec<(u32, u32)>,
+    /// The place of a pattern in that order.
+    order: Vec<u32>,
+    /// For every pattern, those after the twelve moves in that order; [`NONE`] where one is impossible.
+    next: Vec<[u32; MOVES]>,
+    /// The mean distances after some random moves, in parts of [`ONE`], and after how many.
+    means: Vec<u32>,
+    random_moves: usize,
+}
+
+/// The tables of one colour and of the grey bead.
 #[derive(Clone, Debug)]
 pub(super) struct Patterns {
-    distance: Vec<u8>,
-    /// Patterns in the order in which they were reached: places of the colour, places with any bead.
-    reached: Vec<(u32, u32)>,
-    /// How many of them have been followed up.
-    followed: usize,
+    colour: Table,
+    grey: Table,
 }
 
 /// A number for four places; below [`CHOICES`].
@@ -57,63 +96,143 @@ fn drawers(occupied: u32) -> [usize; ARMS] {
     std::array::from_fn(|arm| ((occupied >> (18 + arm) & 1) + (occupied >> (24 + arm) & 1)) as usize)
 }
 
-/// The place in the table of a pattern whose colour's home is the given arm.
-fn index(home: usize, places: u32, out: &[usize; ARMS]) -> usize {
-    let out = |arm: usize| out[(home + arm) % ARMS];
+/// The place in a table of a pattern that is turned back by some arms.
+fn index(arms: usize, places: u32, out: &[usize; ARMS]) -> usize {
+    let out = |arm: usize| out[(arms + arm) % ARMS];
     let drawers = out(0) + 3 * out(1) + 9 * out(2);
-    rank(turned(places, (ARMS - home) % ARMS)) * DRAWERS + drawers
+    rank(turned(places, (ARMS - arms) % ARMS)) * DRAWERS + drawers
+}
+
+/// What a mean distance beyond that of the solved pattern adds to the score of a position: 32 times its square.
+/// Distances are at most 16, so the seven sorts of beads together stay below [`BLOCKED`].
+fn score(mean: u32) -> u16 {
+    u16::try_from(u64::from(mean).pow(2) * 32 / u64::from(ONE).pow(2)).unwrap_or(BLOCKED)
+}
+
+impl Table {
+    /// The table of beads that are at home in these places, one of `choices` sets of as many places.
+    fn new(home: u32, choices: usize) -> Table {
+        let size = choices * DRAWERS;
+        let making = Making { order: vec![NONE; size], ..Making::default() };
+        let mut table = Table { distance: vec![UNKNOWN; size], after: Vec::new(), making };
+        table.reach(home, Wheel::solved().occupied(), 0);
+        table
+    }
+
+    /// The place of a pattern in the order in which they are reached.
+    fn reach(&mut self, places: u32, occupied: u32, distance: u8) -> u32 {
+        let index = index(0, places, &drawers(occupied));
+        let Making { reached, order, means, .. } = &mut self.making;
+        if self.distance[index] == UNKNOWN {
+            self.distance[index] = distance;
+            order[index] = reached.len() as u32; // fewer than there are patterns
+            reached.push((places, occupied));
+            means.push(u32::from(distance) * ONE);
+        }
+        order[index]
+    }
+
+    /// Works until the budget of moves is used up or the table is whole; whether it is.
+    fn advance(&mut self, budget: &mut u64) -> bool {
+        while let Some(&(places, occupied)) = self.making.reached.get(self.making.next.len()) {
+            if *budget == 0 {
+                return false;
+            }
+            let distance = self.distance[index(0, places, &drawers(occupied))].saturating_add(1);
+            let next = Move::ALL.map(Move::action).map(|action| {
+                let possible = !matches!(action, Action::Push(arm) if occupied >> (18 + arm) & 1 == 0);
+                if possible {
+                    self.reach(moved(places, action), moved(occupied, action), distance)
+                } else {
+                    NONE
+                }
+            });
+            self.making.next.push(next);
+            *budget -= 1; // the moves of a pattern take hardly longer than one position
+        }
+        while self.after.is_empty() {
+            if *budget == 0 {
+                return false;
+            }
+            match self.making.random_moves {
+                RANDOM_MOVES => self.rate(),
+                _ => self.making.move_at_random(),
+            }
+            *budget = budget.saturating_sub(self.making.reached.len() as u64 / 8);
+        }
+        self.making = Making::default();
+        true
+    }
+
+    /// Gives the scores to all patterns.
+    fn rate(&mut self) {
+        let Making { reached, next, means, .. } = &self.making;
+        let home = means.first().copied().unwrap_or(0);
+        let scores: Vec<u16> = means.iter().map(|mean| score(mean.saturating_sub(home))).collect();
+        self.after = vec![[BLOCKED; MOVES]; self.distance.len()];
+        for (&(places, occupied), next) in reached.iter().zip(next) {
+            self.after[index(0, places, &drawers(occupied))] =
+                next.map(|next| scores.get(next as usize).copied().unwrap_or(BLOCKED));
+        }
+    }
+}
+
+impl Making {
+    /// The mean distances after one random move more.
+    fn move_at_random(&mut self) {
+        let mean = |next: &[u32; MOVES]| {
+            let means = next.iter().filter_map(|&next| self.means.get(next as usize));
+            let (sum, count) = means.fold((0, 0), |(sum, count), mean| (sum + mean, count + 1));
+            sum / u32::max(count, 1)
+        };
+        self.means = self.next.iter().map(mean).collect();
+        self.random_moves += 1;
+    }
 }
 
 impl Default for Patterns {
     fn default() -> Patterns {
         let solved = Wheel::solved();
-        let mut patterns =
-            Patterns { distance: vec![UNKNOWN; CHOICES * DRAWERS], reached: Vec::new(), followed: 0 };
-        patterns.reach(solved.colour(0), solved.occupied(), 0);
-        patterns
+        Patterns { colour: Table::new(solved.colour(0), CHOICES), grey: Table::new(solved.grey(), PLACES) }
     }
 }
 
 impl Patterns {
-    fn reach(&mut self, places: u32, occupied: u32, distance: u8) {
-        if let Some(entry) = self.distance.get_mut(index(0, places, &drawers(occupied)))
-            && *entry == UNKNOWN
-        {
-            *entry = distance;
-            self.reached.push((places, occupied));
-        }
-    }
-
-    /// Works until the budget of moves is used up or the table is whole; whether it is.
+    /// Works until the budget of moves is used up or the tables are whole; whether they are.
     pub(super) fn advance(&mut self, budget: &mut u64) -> bool {
-        while let Some(&(places, occupied)) = self.reached.get(self.followed) {
-            if *budget == 0 {
-                return false;
-            }
-            let distance = self.distance[index(0, places, &drawers(occupied))].saturating_add(1);
-            for action in Move::ALL.map(Move::action) {
-                if !matches!(action, Action::Push(arm) if occupied >> (18 + arm) & 1 == 0) {
-                    self.reach(moved(places, action), moved(occupied, action), distance);
-                }
-            }
-            self.followed += 1;
-            *budget -= 1; // the moves of a pattern take hardly longer than one position
-        }
-        if self.reached.capacity() > 0 {
-            (self.reached, self.followed) = (Vec::new(), 0);
-        }
-        true
+        self.colour.advance(budget) && self.grey.advance(budget)
     }
 
-    /// The distances of the six colours, once the table is whole.
-    pub(super) fn distances(&self, wheel: &Wheel) -> [u8; ARMS] {
+    /// The distances of the six colours, once the tables are whole.
+    fn distances(&self, wheel: &Wheel) -> [u8; ARMS] {
         let out = drawers(wheel.occupied());
-        std::array::from_fn(|colour| self.distance[index(colour, wheel.colour(colour), &out)])
+        std::array::from_fn(|colour| self.colour.distance[index(colour, wheel.colour(colour), &out)])
     }
 
     /// No less than so many moves lead to solved.
     pub(super) fn bound(&self, wheel: &Wheel) -> u8 {
         self.distances(wheel).into_iter().max().unwrap_or(0)
+    }
+
+    /// Once the tables are whole: the bound, and the scores of the positions after the twelve moves, each below
+    /// [`BLOCKED`] unless the move is impossible.
+    pub(super) fn look(&self, wheel: &Wheel) -> (u8, Scores) {
+        let out = drawers(wheel.occupied());
+        let mut scores = self.grey.after[index(0, wheel.grey(), &out)];
+        let mut bound = 0;
+        for colour in 0..ARMS {
+            let row = index(colour, wheel.colour(colour), &out);
+            bound = bound.max(self.colour.distance[row]);
+            let after = &self.colour.after[row];
+            for arm in 0..ARMS {
+                // The colour's table has turned arms.
+                scores[arm] = scores[arm].saturating_add(after[(arm + ARMS - colour) % ARMS]);
+            }
+            for ring in ARMS..MOVES {
+                scores[ring] = scores[ring].saturating_add(after[ring]);
+            }
+        }
+        (bound, scores)
     }
 }
 
@@ -132,10 +251,54 @@ mod tests {
     #[test]
     fn as_many_patterns_as_there_are() {
         let patterns = whole();
-        let known = patterns.distance.iter().filter(|&&distance| distance != UNKNOWN);
+        let known = patterns.colour.distance.iter().filter(|&&distance| distance != UNKNOWN);
         assert_eq!(known.clone().count(), 341_550);
         assert_eq!(known.max(), Some(&16));
         assert_eq!(patterns.distances(&Wheel::solved()), [0; 6]);
+    }
+
+    #[test]
+    fn a_position_has_the_same_score_from_everywhere() {
+        let patterns = whole();
+        proptest!(|(moves in prop::collection::vec(0usize..12, 0..40))| {
+            let moves: Vec<Move> = moves.into_iter().map(|index| Move::ALL[index]).collect();
+            let wheel = Wheel::solved().after_all(&moves);
+            prop_assert_eq!(patterns.look(&wheel).0, patterns.bound(&wheel));
+            let from = |a_move: Move| {
+                let before = wheel.after(a_move.inverse())?;
+                Some(patterns.look(&before).1[a_move as usize])
+            };
+            let scores: Vec<u16> = Move::ALL.into_iter().filter_map(from).collect();
+            prop_assert!(scores.iter().all(|&score| score == scores[0] && score < BLOCKED));
+            for a_move in Move::ALL {
+                let blocked = patterns.look(&wheel).1[a_move as usize] == BLOCKED;
+                prop_assert_eq!(blocked, !wheel.allows(a_move));
+            }
+        });
+    }
+
+    #[test]
+    fn scores_are_means_over_random_moves() {
+        let patterns = whole();
+        // Colour 1 of the solved wheel, all ways of three moves written out.
+        let mean = |wheel: Wheel| {
+            let mut mean = [(wheel, 1.0)].to_vec();
+            for _ in 0..RANDOM_MOVES {
+                let next = |(wheel, share): (Wheel, f64)| {
+                    let next: Vec<Wheel> = Move::ALL.iter().filter_map(|&it| wheel.after(it)).collect();
+                    let share = share / next.len() as f64;
+                    next.into_iter().map(move |wheel| (wheel, share))
+                };
+                mean = mean.into_iter().flat_map(next).collect();
+            }
+            mean.iter().map(|(wheel, share)| f64::from(patterns.distances(wheel)[0]) * share).sum::<f64>()
+        };
+        let (solved, out) = (Wheel::solved(), drawers(Wheel::solved().occupied()));
+        let scores = patterns.colour.after[index(0, solved.colour(0), &out)];
+        for a_move in Move::ALL {
+            let expected = mean(solved.after(a_move).unwrap()) - mean(solved);
+            assert!((f64::from(scores[a_move as usize]) - 32.0 * expected.powi(2)).abs() <= 1.0);
+        }
     }
 
     #[test]

@@ -220,11 +220,16 @@ impl Wheel {
         bit(0) & bit(1) & bit(2)
     }
 
+    /// The place of the bead that is at home in the centre.
+    pub(super) fn grey(&self) -> u32 {
+        self.planes[0] & self.planes[1] & self.planes[2]
+    }
+
     /// The same number for the twelve positions that are this one turned or mirrored together with its
     /// colours, and for no other; below 2^93. All of them are equally far from solved.
     pub(super) fn orbit(&self) -> u128 {
         let colours: [u32; ARMS] = std::array::from_fn(|colour| self.colour(colour));
-        let grey = self.planes[0] & self.planes[1] & self.planes[2];
+        let grey = self.grey();
         let [c0, c1, c2, c3, c4, c5] = colours.map(mirrored);
         let mirror = [c0, c5, c4, c3, c2, c1];
         let (grey_mirror, mut least) = (mirrored(grey), [u32::MAX; 3]);
