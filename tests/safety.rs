@@ -24,6 +24,7 @@ programs! {
     zy_betsp "../programs/zy_betsp.rs"
 }
 
+use common::random::{self, Dice};
 use common::shelf::{Item, Shelf};
 use common::{Kept, pictures};
 use grafika::file::{Document, Format};
@@ -34,6 +35,7 @@ use grafika::machine::{
 use serde_json::Value;
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::time::Duration;
 
 /// A disk that several sessions work on.
 #[derive(Clone, Default)]
@@ -401,6 +403,43 @@ fn broken_work_is_told_in_one_message() {
     let machine = Machine::new(Box::new(Memory::default()), settings).with_recovery(shelf.slot());
     let session = Session::start(machine, |mut machine| async move { (IP.run)(&mut machine, None).await });
     Window { session, kept: Kept::default() }.assert_picture("safety_broken_english");
+}
+
+#[test]
+fn random_crashes_lose_nothing_and_break_nothing() {
+    for &(program, script) in CASES {
+        let (disk, shelf, mut dice) = (Disk::default(), Shelf::default(), Dice::new(1956));
+        let mut window = Window::open(program, &disk, &shelf);
+        let mut offered = 0;
+        for index in 0..300 {
+            let now = Duration::from_millis(40 * index);
+            window.session.send(random::event(&mut dice), now);
+            let crash = dice.below(40) == 0;
+            if !crash && !window.session.ended() {
+                continue;
+            }
+            let unsaved =
+                window.session.model().is_some_and(|model| model.unwrap().contains("\"unsaved\": true"));
+            let held = shelf.items().iter().filter(|item| item.held).count();
+            if window.session.ended() {
+                assert_eq!(held, 0, "{}: an end in order at {index}", program.manual.name);
+            } else if unsaved {
+                assert!(held > 0, "{}: unsaved work at {index}", program.manual.name);
+            }
+            window = Window::open(program, &disk, &shelf);
+            let offer = shelf.items().iter().any(|item| item.held);
+            offered += usize::from(offer);
+            if !offer {
+                window.play(script);
+            }
+        }
+        assert!(offered > 0, "{}", program.manual.name);
+        assert!(
+            shelf.items().iter().all(|item| !item.broken && item.work.is_ok()),
+            "{}",
+            program.manual.name
+        );
+    }
 }
 
 #[test]

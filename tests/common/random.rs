@@ -75,7 +75,7 @@ fn key(dice: &mut Dice) -> Key {
 }
 
 /// One random event; `Close` is rare.
-fn event(dice: &mut Dice) -> Event {
+pub(crate) fn event(dice: &mut Dice) -> Event {
     let button = match dice.below(8) {
         0 => Button::Right,
         1 => Button::Middle,
