@@ -337,7 +337,7 @@ impl Player {
             Key::Char('u' | 'U') => self.new_problem(desk).await?,
             Key::Char('h' | 'H') => self.seek(desk, Aim::Hint),
             Key::Char('s' | 'S') => self.seek(desk, Aim::Solve),
-            Key::Ctrl('Z' | 'Y' | 'S') => {
+            Key::Esc | Key::Ctrl('Z' | 'Y' | 'S') => {
                 self.stop();
                 let before = self.games.now().wheel;
                 configuration::common_key(self, desk, Some(key)).await?;

@@ -143,7 +143,10 @@ async fn live<C: Configuration>(
         next = match step {
             Ok(next) => next,
             Err(Quit) if may_close(state, desk).await => return Err(Quit),
-            Err(Quit) => Next::Work,
+            Err(Quit) => {
+                desk.machine.stay();
+                Next::Work
+            }
         };
     }
 }
@@ -199,10 +202,11 @@ pub async fn event<C: Configuration>(
     desk.event(&*state).await
 }
 
-/// Carries out the keys that mean the same in every editor: undo, redo, save. Whether it was one.
+/// Carries out the keys that mean the same in every editor: undo, redo, save, and Esc, by which a program that
+/// the menu runs goes back to it. Whether it was one.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
+/// [`Quit`] when the display is being closed, or to go back.
 pub async fn common_key<C: Configuration>(
     state: &mut C,
     desk: &mut Desk<'_>,
@@ -215,6 +219,7 @@ pub async fn common_key<C: Configuration>(
             save(state, desk).await?;
             true
         }
+        Some(Key::Esc) if desk.machine.leave() => return Err(Quit),
         _ => return Ok(false),
     };
     if !moved {
@@ -238,8 +243,10 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
     loop {
         desk.machine.publish(state.model());
         let question = Question::new(MIDDLE, words::ASK_CONFIGURATION, [words::NEW, words::STORED]);
-        if desk.ask(&*state, &question).await? != Some(Answer::Second) {
-            return Ok(());
+        match desk.ask(&*state, &question).await? {
+            Some(Answer::Second) => {}
+            None if desk.machine.leave() => return Err(Quit),
+            Some(Answer::First) | None => return Ok(()),
         }
         let name = desk.file_name(&*state, state.format().extension(), Way::Load).await?;
         let Some(name) = name else { continue };

@@ -148,6 +148,16 @@ pub struct Machine {
     file: Option<String>,
     seed: u64,
     film: Option<Film>,
+    visit: Visit,
+}
+
+/// Whether a program is run by another one, to which it returns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Visit {
+    #[default]
+    None,
+    Guest,
+    Leaving,
 }
 
 impl Machine {
@@ -175,6 +185,7 @@ impl Machine {
             file: None,
             seed: settings.seed,
             film: None,
+            visit: Visit::None,
         }
     }
 
@@ -275,6 +286,32 @@ impl Machine {
         let kept = self.keeper.as_mut().map_or(Ok(()), |keeper| keeper.keep(&preferences));
         self.port.borrow_mut().preferences = preferences;
         kept
+    }
+
+    /// Makes the program that runs next a guest of this one.
+    pub fn invite(&mut self) {
+        self.visit = Visit::Guest;
+    }
+
+    /// Says that a guest returns to its host; `false` for a program that is none.
+    pub fn leave(&mut self) -> bool {
+        let guest = self.visit != Visit::None;
+        if guest {
+            self.visit = Visit::Leaving;
+        }
+        guest
+    }
+
+    /// Takes back [`Machine::leave`].
+    pub fn stay(&mut self) {
+        if self.visit == Visit::Leaving {
+            self.visit = Visit::Guest;
+        }
+    }
+
+    /// Ends the visit of a guest; whether it has left for its host, and not because the display closes.
+    pub fn see_off(&mut self) -> bool {
+        std::mem::take(&mut self.visit) == Visit::Leaving
     }
 
     /// Chooses the mouse pointer.

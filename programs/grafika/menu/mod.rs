@@ -252,7 +252,12 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
                 Next::Start => {
                     let program = PROGRAMS.get(menu.chosen).ok_or(Quit)?;
                     desk.machine.set_file(None);
-                    (program.run)(desk.machine, None).await?;
+                    desk.machine.invite();
+                    let ended = (program.run)(desk.machine, None).await;
+                    // Esc brings back here; the close button closes the menu too.
+                    if !desk.machine.see_off() {
+                        ended?;
+                    }
                 }
             }
         } else if let Some(index) = menu.missing() {

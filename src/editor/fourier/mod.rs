@@ -150,7 +150,9 @@ impl Configuration for Editor {
             if self.type_on(&tick) || self.wheel(&tick) {
                 continue;
             }
-            if common_key(self, desk, tick.key()).await? {
+            // Esc first takes back what is marked.
+            let busy = self.marked.is_some() || self.target.is_some();
+            if common_key(self, desk, tick.key().filter(|key| !busy || *key != Key::Esc)).await? {
                 self.marked = None;
                 self.stepping = None;
                 continue;
