@@ -5,6 +5,7 @@
 //! [`Count`] counts them, and [`Way`] finds the moves that lead there.
 
 mod count;
+mod ending;
 mod moves;
 mod place;
 mod position;

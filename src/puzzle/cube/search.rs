@@ -1,16 +1,16 @@
 //! The search for fillings of the cube. Every node keeps the list of places that are still free, and
-//! branches on the cell with the fewest of them, or on a type of piece where that is narrower. How many
-//! there are for each of the 64 cells is counted for all cells at once, in numbers whose binary digits lie
-//! in four words: a few operations for each place of the list.
+//! branches on the cell with the fewest of them. How many there are for each of the 64 cells is counted for
+//! all cells at once, in numbers whose binary digits lie in four words: a few operations for each place of
+//! the list.
 
 use super::place::{Filling, KINDS, Placed, SUPPLY, places};
 
 /// A node of the search: what is filled and what may still come.
 #[derive(Clone, Debug)]
-struct Node {
-    filled: u64,
+pub(super) struct Node {
+    pub(super) filled: u64,
     /// Pieces that are left of every type.
-    left: [u8; KINDS],
+    pub(super) left: [u8; KINDS],
     /// Free places, the types one after the other.
     live: Vec<u64>,
     /// Where the places of every type begin, and the end of the last.
@@ -26,8 +26,6 @@ enum Pivot {
     Dead,
     /// A cell, as a mask of one bit.
     Cell(u64),
-    /// The places of a type: each way has one of them, without those before it.
-    Kind(usize),
 }
 
 impl Node {
@@ -40,24 +38,20 @@ impl Node {
 
     /// The places of a type.
     #[inline]
-    fn of_kind(&self, kind: usize) -> &[u64] {
+    pub(super) fn of_kind(&self, kind: usize) -> &[u64] {
         self.live.get(self.starts[kind]..self.starts[kind + 1]).unwrap_or_default()
     }
 
-    /// Makes another node what this one becomes with a piece in a place. Of the type `skip.0` the first
-    /// `skip.1` places are left out.
+    /// Makes another node what this one becomes with a piece in a place.
     #[inline]
-    fn place(&self, mask: u64, kind: usize, skip: usize, child: &mut Node) -> Pivot {
+    fn place(&self, mask: u64, kind: usize, child: &mut Node) -> Pivot {
         child.filled = self.filled | mask;
         child.left = self.left;
         child.left[kind] = child.left[kind].saturating_sub(1);
         if !balanced(!child.filled, &child.left) || !can_be_filled(!child.filled) {
             return Pivot::Dead;
         }
-        // How many places there are for every cell: three binary digits, and whether it is eight or more.
-        let (mut ones, mut twos, mut fours, mut many) = (0_u64, 0_u64, 0_u64, 0_u64);
         let mut end = 0;
-        let (mut least, mut narrowest) = (usize::MAX, 0);
         for other in 0..KINDS {
             let begin = end;
             child.starts[other] = begin;
@@ -65,28 +59,18 @@ impl Node {
             if left == 0 {
                 continue;
             }
-            let own = self.of_kind(other);
-            let own = if other == kind { own.get(skip..).unwrap_or_default() } else { own };
-            for &place in own {
-                let free = place & mask == 0;
-                if let Some(slot) = child.live.get_mut(end) {
-                    *slot = place;
-                }
-                end += usize::from(free);
-                let counted = if free { place } else { 0 };
-                let carry = ones & counted;
-                ones ^= counted;
-                let carry_on = twos & carry;
-                twos ^= carry;
-                many |= fours & carry_on;
-                fours ^= carry_on;
+            for &place in self.of_kind(other) {
+                // A list is never longer than that of the parent.
+                let Some(slot) = child.live.get_mut(end) else { break };
+                *slot = place;
+                end += usize::from(place & mask == 0);
             }
-            let Some(spare) = (end - begin).checked_sub(left) else { return Pivot::Dead };
-            if spare + 1 < least {
-                (least, narrowest) = (spare + 1, other);
+            if end - begin < left {
+                return Pivot::Dead;
             }
         }
         child.starts[KINDS] = end;
+        let [ones, twos, fours, many] = tallies(child.live.get(..end).unwrap_or_default());
         let empty = !child.filled;
         if empty == 0 {
             return Pivot::Full;
@@ -95,40 +79,69 @@ impl Node {
             return Pivot::Dead;
         }
         let few = empty & !many;
-        for count in 1..8_usize.min(least + 1) {
+        for count in 1..8 {
             let digit = |plane: u64, bit: usize| if count >> bit & 1 == 1 { plane } else { !plane };
             let cells = few & digit(ones, 0) & digit(twos, 1) & digit(fours, 2);
             if cells != 0 {
                 return Pivot::Cell(cells & cells.wrapping_neg());
             }
         }
-        if least < 8 {
-            return Pivot::Kind(narrowest);
+        // Only near the root: all cells are counted out.
+        let mut counts = [0_u16; 64];
+        for &place in child.live.iter().take(end) {
+            let mut rest = place;
+            while rest != 0 {
+                counts[rest.trailing_zeros() as usize & 63] += 1;
+                rest &= rest - 1;
+            }
         }
-        // Only near the root: the cell with the fewest places is counted out.
-        let count = |bit: &u32| child.live.iter().take(end).filter(|&&place| place >> bit & 1 == 1).count();
-        let best = (0..64).filter(|bit| empty >> bit & 1 == 1).min_by_key(count);
+        let best = (0..64).filter(|bit| empty >> bit & 1 == 1).min_by_key(|&bit: &usize| counts[bit & 63]);
         Pivot::Cell(best.map_or(0, |bit| 1 << bit))
     }
 
     /// The ways to go on from here.
     fn branches(&self, pivot: Pivot, into: &mut Vec<Placed>) {
         into.clear();
-        match pivot {
-            Pivot::Full | Pivot::Dead => {}
-            Pivot::Cell(cell) => {
-                for kind in 0..KINDS {
-                    let serving = self.of_kind(kind).iter().filter(|&&mask| mask & cell != 0);
-                    into.extend(serving.map(|&mask| Placed { kind, mask }));
-                }
-            }
-            Pivot::Kind(kind) => {
-                let own = self.of_kind(kind);
-                let ways = (own.len() + 1).saturating_sub(usize::from(self.left[kind]));
-                into.extend(own.iter().take(ways).map(|&mask| Placed { kind, mask }));
-            }
+        let Pivot::Cell(cell) = pivot else { return };
+        for kind in 0..KINDS {
+            let serving = self.of_kind(kind).iter().filter(|&&mask| mask & cell != 0);
+            into.extend(serving.map(|&mask| Placed { kind, mask }));
         }
     }
+}
+
+/// How many of the masks have each bit: three binary digits, and whether it is eight or more.
+fn tallies(masks: &[u64]) -> [u64; 4] {
+    const LANES: usize = 4;
+    let [mut ones, mut twos, mut fours, mut many] = [[0_u64; LANES]; 4];
+    let mut add = |lane: usize, mask: u64| {
+        let carry = ones[lane] & mask;
+        ones[lane] ^= mask;
+        let carry_on = twos[lane] & carry;
+        twos[lane] ^= carry;
+        many[lane] |= fours[lane] & carry_on;
+        fours[lane] ^= carry_on;
+    };
+    // Lanes that do not wait for each other, of which the processor works on several at once.
+    let chunks = masks.chunks_exact(LANES);
+    for (lane, &mask) in chunks.remainder().iter().enumerate() {
+        add(lane % LANES, mask);
+    }
+    for chunk in chunks {
+        for (lane, &mask) in chunk.iter().enumerate() {
+            add(lane % LANES, mask);
+        }
+    }
+    let [mut one, mut two, mut four, mut lot] = [0; 4];
+    for lane in 0..LANES {
+        let carry = one & ones[lane];
+        one ^= ones[lane];
+        let carry_on = two & twos[lane] | carry & (two ^ twos[lane]);
+        two ^= twos[lane] ^ carry;
+        lot |= many[lane] | four & fours[lane] | carry_on & (four ^ fours[lane]);
+        four ^= fours[lane] ^ carry_on;
+    }
+    [one, two, four, lot]
 }
 
 /// Whether black and white cells can come out even, the cells coloured as a chessboard in space: a piece of
@@ -146,7 +159,7 @@ const NO_SUMS: u64 = 1 << 1 | 1 << 2 | 1 << 3 | 1 << 6 | 1 << 7 | 1 << 11;
 
 /// The cells beside those of a mask.
 #[inline]
-const fn beside(cells: u64) -> u64 {
+pub(super) const fn beside(cells: u64) -> u64 {
     const LEFT: u64 = 0x1111_1111_1111_1111;
     const FRONT: u64 = 0x000F_000F_000F_000F;
     let x = (cells & !LEFT) >> 1 | (cells << 1) & !LEFT;
@@ -185,8 +198,6 @@ fn can_be_filled(empty: u64) -> bool {
 #[derive(Clone, Debug)]
 struct Level {
     node: Node,
-    /// Whether the ways are the places of a type, in their order.
-    by_kind: bool,
     branches: Vec<Placed>,
     next: usize,
 }
@@ -199,6 +210,8 @@ pub(super) struct Tree {
     depth: Option<usize>,
     /// Nodes above this one are fixed: the search ends below it.
     floor: usize,
+    /// Nodes with at most so many places are told, and not gone into.
+    pub(super) few: usize,
     /// Nodes made so far.
     pub(super) nodes: u64,
 }
@@ -208,6 +221,8 @@ pub(super) struct Tree {
 pub(super) enum Turn {
     /// A filling is found; [`Tree::chosen`] tells it.
     Full,
+    /// A node is met that has few places ([`Tree::few`]); what lies below it is left out.
+    Few,
     /// The budget is used up.
     Spent,
     /// There is no more.
@@ -227,7 +242,7 @@ impl Tree {
                 return false;
             }
             let mut child = root.clone();
-            pivot = root.place(placed.mask, placed.kind, 0, &mut child);
+            pivot = root.place(placed.mask, placed.kind, &mut child);
             root = child;
             true
         };
@@ -240,13 +255,12 @@ impl Tree {
         if pivot == Pivot::Dead {
             return None;
         }
-        let empty = Level { node: root, by_kind: false, branches: Vec::new(), next: 0 };
+        let empty = Level { node: root, branches: Vec::new(), next: 0 };
         // One for every piece and one for the end.
         let mut levels = vec![empty; super::PIECES + 2];
         let top = levels.first_mut()?; // there are sixteen
-        top.by_kind = matches!(pivot, Pivot::Kind(_));
         top.node.branches(pivot, &mut top.branches);
-        Some(Tree { levels, depth: Some(0), floor: 0, nodes: 0 })
+        Some(Tree { levels, depth: Some(0), floor: 0, few: 0, nodes: 0 })
     }
 
     /// The pieces that lead to the present node, without the fixed ones.
@@ -274,12 +288,11 @@ impl Tree {
             level.next += 1;
             *budget -= 1;
             self.nodes += 1;
-            let skip = if level.by_kind { level.next } else { 0 };
-            match level.node.place(mask, kind, skip, &mut below.node) {
+            match level.node.place(mask, kind, &mut below.node) {
                 Pivot::Dead => {}
                 Pivot::Full => return Turn::Full,
+                _ if below.node.starts[KINDS] <= self.few => return Turn::Few,
                 pivot => {
-                    below.by_kind = matches!(pivot, Pivot::Kind(_));
                     below.node.branches(pivot, &mut below.branches);
                     below.next = 0;
                     self.depth = Some(depth + 1);
@@ -289,10 +302,14 @@ impl Tree {
         Turn::Over
     }
 
-    /// The paths to all nodes at a depth, and to the fillings above it, in their order: numbers of
-    /// branches from the root.
+    /// The paths to all nodes at a depth, in their order: numbers of branches from the root. Only the path
+    /// to the root itself if so few pieces are left that fillings end there.
     pub(super) fn paths(&self, depth: usize) -> Vec<Vec<usize>> {
         let mut paths = vec![Vec::new()];
+        let left: u8 = self.levels.first().map_or(0, |root| root.node.left.iter().sum());
+        if usize::from(left) <= depth {
+            return paths;
+        }
         for _ in 0..depth {
             let mut longer = Vec::new();
             for path in paths {
@@ -302,6 +319,11 @@ impl Tree {
             paths = longer;
         }
         paths
+    }
+
+    /// The node that [`Turn::Few`] told.
+    pub(super) fn below(&self) -> Option<&Node> {
+        self.levels.get(self.depth? + 1).map(|level| &level.node)
     }
 
     fn ways(&self) -> usize {
@@ -316,9 +338,7 @@ impl Tree {
             let (level, below) = (upper.last_mut()?, lower.first_mut()?);
             let &Placed { kind, mask } = level.branches.get(way)?;
             level.next = way + 1;
-            let skip = if level.by_kind { level.next } else { 0 };
-            let pivot = level.node.place(mask, kind, skip, &mut below.node);
-            below.by_kind = matches!(pivot, Pivot::Kind(_));
+            let pivot = level.node.place(mask, kind, &mut below.node);
             below.node.branches(pivot, &mut below.branches);
             below.next = 0;
             if matches!(pivot, Pivot::Dead | Pivot::Full) {
@@ -387,7 +407,8 @@ impl Search {
         let mut left = budget;
         match tree.advance(&mut left) {
             Turn::Spent => Progress::Working,
-            Turn::Over => Progress::Exhausted,
+            // No node is told for its few places here.
+            Turn::Over | Turn::Few => Progress::Exhausted,
             Turn::Full => {
                 Progress::Found(Filling { placed: self.fixed.iter().copied().chain(tree.chosen()).collect() })
             }
@@ -440,6 +461,7 @@ mod tests {
             })
             .collect();
         println!("{nodes:?}");
+        assert!(nodes.iter().all(|&nodes| nodes < 20_000), "{nodes:?}");
     }
 
     #[test]
