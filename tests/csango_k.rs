@@ -210,6 +210,36 @@ fn a_finished_cube_comes_apart_and_together_by_moves_alone() {
     }
 }
 
+#[cfg(feature = "native")]
+#[test]
+fn the_command_line_counts_the_same_on_any_number_of_threads() {
+    let grafika = |arguments: &[&str]| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_grafika")).args(arguments).output();
+        let output = output.unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let bytes = disk().read("SOL1.CSK").unwrap();
+    let Ok(Document::CsangoCube(finished)) = Document::read(Format::Csk, &bytes) else { panic!("a cube") };
+    let filling = finished.filling().expect("it is finished");
+    let mut cube = CsangoCube::start();
+    let moves = Way::new(&cube, &filling, Rules::Book).and_then(Way::finish).unwrap();
+    for step in moves {
+        cube = cube.after_all(&[step], Rules::Book).unwrap();
+        if cube.placed().len() == 4 {
+            break;
+        }
+    }
+    let number = grafika::puzzle::cube::Count::with_fixed(&cube.placed()).total();
+    assert!(number > 0);
+    let expected = format!("{number} fillings, 4 of the pieces in their places\n");
+    for threads in ["1", "2", "3"] {
+        assert_eq!(grafika(&["solve", &cube.to_string(), "--count", "--threads", threads]), expected);
+    }
+    let full = filling.position([3, 2, 0]).unwrap().to_string();
+    assert_eq!(grafika(&["solve", &full, "--count"]), "1 fillings, 14 of the pieces in their places\n");
+}
+
 #[test]
 fn the_end_is_asked_for_and_nothing_is_lost() {
     let ended = |script: &str| {

@@ -120,7 +120,7 @@ impl Solve {
         let placed = position.placed();
         if self.count {
             let count = if placed.is_empty() { all_fillings() } else { Count::with_fixed(&placed) };
-            let total = if position.is_finished() { 1 } else { self.counted(&count) };
+            let total = self.counted(&count);
             let up_to = if placed.is_empty() { " up to rotations" } else { "" };
             return Ok(format!("{total} fillings{up_to}, {} of the pieces in their places\n", placed.len()));
         }
