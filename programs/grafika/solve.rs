@@ -9,8 +9,9 @@ use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_te
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-/// Positions of the wheel that are looked at before an unproven solution is given: some seconds.
-const ENOUGH: u64 = 60_000_000;
+/// Positions of the wheel that are looked at before an unproven solution is given: less than ten seconds, and
+/// as many as the solver's widest beam needs.
+const ENOUGH: u64 = 20_000_000;
 /// Positions between two looks at the progress.
 const PIECE: u64 = 1_000_000;
 

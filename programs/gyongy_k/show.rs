@@ -9,7 +9,7 @@ const PACE: Duration = Duration::from_millis(600);
 const PAUSE: Duration = Duration::from_millis(3000);
 /// Positions that a search looks at in one piece, and the time on the clock that a piece has: more than it takes.
 /// Pieces are counted by the clock, so that a search comes equally far in a recording.
-const PIECE: u64 = 50_000;
+const PIECE: u64 = 40_000;
 const PIECE_TIME: Duration = Duration::from_millis(33);
 
 /// What a search is for.
@@ -22,7 +22,8 @@ pub(crate) enum Aim {
 }
 
 impl Aim {
-    /// How many positions a search for this looks at before it is content with what it has.
+    /// How many positions a search for this looks at before it is content with what it has: as many as the
+    /// solver's second and third beam need.
     fn enough(self) -> u64 {
         match self {
             Aim::Hint => 2_000_000,

@@ -156,7 +156,7 @@ impl Beam {
                     }
                     self.scores.push(scores);
                     self.phase = Phase::Look(number + 1);
-                    *budget = budget.saturating_sub(2);
+                    *budget -= 1;
                 }
                 Phase::Make { next, limit } => {
                     if next >= self.layer.len() {

@@ -132,8 +132,8 @@ impl Table {
         order[index]
     }
 
-    /// Works until the budget of moves is used up or the table is whole; whether it is.
-    fn advance(&mut self, budget: &mut u64) -> bool {
+    /// Works until the budget of moves is used up or all distances are known; whether they are.
+    fn measure(&mut self, budget: &mut u64) -> bool {
         while let Some(&(places, occupied)) = self.making.reached.get(self.making.next.len()) {
             if *budget == 0 {
                 return false;
@@ -150,6 +150,11 @@ impl Table {
             self.making.next.push(next);
             *budget -= 1; // the moves of a pattern take hardly longer than one position
         }
+        true
+    }
+
+    /// Works until the budget is used up or all scores are known, after the distances; whether they are.
+    fn score(&mut self, budget: &mut u64) -> bool {
         while self.after.is_empty() {
             if *budget == 0 {
                 return false;
@@ -198,12 +203,17 @@ impl Default for Patterns {
 }
 
 impl Patterns {
-    /// Works until the budget of moves is used up or the tables are whole; whether they are.
-    pub(super) fn advance(&mut self, budget: &mut u64) -> bool {
-        self.colour.advance(budget) && self.grey.advance(budget)
+    /// Works until the budget of moves is used up or the distances are known; whether they are.
+    pub(super) fn measure(&mut self, budget: &mut u64) -> bool {
+        self.colour.measure(budget) && self.grey.measure(budget)
     }
 
-    /// The distances of the six colours, once the tables are whole.
+    /// Works until the budget is used up or the scores are known too, after the distances; whether they are.
+    pub(super) fn score(&mut self, budget: &mut u64) -> bool {
+        self.colour.score(budget) && self.grey.score(budget)
+    }
+
+    /// The distances of the six colours, once they are known.
     fn distances(&self, wheel: &Wheel) -> [u8; ARMS] {
         let out = drawers(wheel.occupied());
         std::array::from_fn(|colour| self.colour.distance[index(colour, wheel.colour(colour), &out)])
@@ -214,7 +224,7 @@ impl Patterns {
         self.distances(wheel).into_iter().max().unwrap_or(0)
     }
 
-    /// Once the tables are whole: the bound, and the scores of the positions after the twelve moves, each below
+    /// Once the scores are known: the bound, and the scores of the positions after the twelve moves, each below
     /// [`BLOCKED`] unless the move is impossible.
     pub(super) fn look(&self, wheel: &Wheel) -> (u8, Scores) {
         let out = drawers(wheel.occupied());
@@ -239,7 +249,7 @@ impl Patterns {
 #[cfg(test)]
 pub(super) fn whole() -> Patterns {
     let mut patterns = Patterns::default();
-    assert!(patterns.advance(&mut u64::MAX.clone()));
+    assert!(patterns.measure(&mut u64::MAX.clone()) && patterns.score(&mut u64::MAX.clone()));
     patterns
 }
 

@@ -12,6 +12,8 @@ use super::patterns::Patterns;
 enum Stage {
     /// The distances of single colours.
     Patterns,
+    /// How promising patterns are.
+    Scores,
     /// The positions near solved, up to so many moves.
     Ball(u8),
     /// All ways shorter than this.
@@ -22,14 +24,15 @@ enum Stage {
 
 /// The plan: what is cheap and helps most comes first. A beam of 1000 gives a way for every position within
 /// a fraction of a second.
-const PLAN: [Stage; 12] = [
+const PLAN: [Stage; 13] = [
     Stage::Patterns,
     Stage::Ball(6),
     Stage::Deepen(12),
+    Stage::Scores,
     Stage::Beam(1000),
     Stage::Ball(7),
     Stage::Deepen(15),
-    Stage::Beam(16_000),
+    Stage::Beam(32_000),
     Stage::Ball(8),
     Stage::Deepen(17),
     Stage::Beam(60_000),
@@ -38,7 +41,7 @@ const PLAN: [Stage; 12] = [
 ];
 
 /// All ways up to some length are looked at in vain when the best one of a beam is longer by more than this.
-const NEAR: u8 = 3;
+const NEAR: u8 = 6;
 
 /// What all searches share and no search has to make again: the distances of single colours (22 megabytes) and
 /// the positions near solved (up to 64 megabytes). They are made while a [`Solver`] works.
@@ -134,7 +137,8 @@ impl Solver {
     fn work(&mut self, stage: Stage, budget: &mut u64) -> bool {
         let Tables { patterns, ball } = &mut self.tables;
         match stage {
-            Stage::Patterns => patterns.advance(budget),
+            Stage::Patterns => patterns.measure(budget),
+            Stage::Scores => patterns.score(budget),
             Stage::Ball(radius) => ball.advance(radius, budget),
             Stage::Beam(width) => {
                 let beam = self.beam.get_or_insert_with(|| Beam::new(self.start, width));
@@ -251,7 +255,7 @@ mod tests {
         let (mut first, mut second) = (Vec::new(), Vec::new());
         for number in 0..100 {
             let mut solver = Solver::new(Scramble::new(Difficulty::Any, number).wheel);
-            for (lengths, budget) in [(&mut first, 2_500_000), (&mut second, 17_500_000)] {
+            for (lengths, budget) in [(&mut first, 2_500_000), (&mut second, 20_000_000)] {
                 while solver.progress().spent < budget {
                     solver.step(100_000);
                 }
