@@ -226,9 +226,9 @@ mod tests {
             let matrix: [u64; 64] = std::array::from_fn(|row| seed[row / 2].rotate_left(29 * row as u32));
             let mut other = matrix;
             transpose(&mut other);
-            for row in 0..64 {
-                for column in 0..64 {
-                    prop_assert_eq!(matrix[row] >> column & 1, other[column] >> row & 1);
+            for (row, bits) in matrix.iter().enumerate() {
+                for (column, turned) in other.iter().enumerate() {
+                    prop_assert_eq!(bits >> column & 1, turned >> row & 1);
                 }
             }
         }
