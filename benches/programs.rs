@@ -7,26 +7,13 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use grafika::editor::{net, plane, space};
 use grafika::file::{Document, Format, NetKind, PlanePoints, SpacePoints};
-use grafika::machine::{Event, Key, Machine, Memory, Outlet, Quit, Script, Session, Settings, Storage, play};
-use grafika::screen::Screen;
+use grafika::machine::{Event, Key, Machine, Memory, Quit, Script, Session, Settings, Storage, play};
 use grafika::ui::{Manual, Words};
 use std::hint::black_box;
 use std::process::Command;
 use std::time::Duration;
 
 const MANUAL: Manual = Manual { name: "bench", about: Words("", ""), keys: &[], lesson: &[] };
-
-/// Takes nothing.
-struct Nowhere;
-
-impl Outlet for Nowhere {
-    fn picture(&mut self, _: &str, _: &Screen) -> Result<(), String> {
-        Ok(())
-    }
-    fn text(&mut self, _: &str, _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
 
 /// 99 points on a rose of the field.
 fn rose() -> Vec<[f64; 2]> {
@@ -61,8 +48,7 @@ fn session<F: Future<Output = Result<(), Quit>> + 'static>(
     script: &str,
 ) -> Session {
     let mut session = Session::start(Machine::new(Box::new(stored()), Settings::default()), program);
-    play(&mut session, &Script::parse(script).expect("a right script"), &mut Nowhere)
-        .expect("nothing is written");
+    play(&mut session, &Script::parse(script).expect("a right script"), &mut ()).expect("nothing is written");
     session
 }
 

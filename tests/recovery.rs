@@ -2,97 +2,35 @@
 //! SIGKILL at any moment.
 #![cfg(all(unix, feature = "terminal"))]
 
-use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
-use std::io::{Read, Write};
+#[path = "common/pty.rs"]
+#[allow(dead_code, reason = "every test file uses its own part of this")]
+mod pty;
+
+use portable_pty::CommandBuilder;
+use pty::{PLAIN, Terminal};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// Questions to the terminal end with this one; the answer is that of a terminal without graphics.
-const LAST_QUESTION: &[u8] = b"\x1b[c";
-const PLAIN: &[u8] = b"\x1b[?62;c";
-const UP: &[u8] = b"\x1b[A";
+const UP: &str = "\x1b[A";
 
-/// GB_P_2D in a terminal of its own.
-struct Terminal {
-    _master: Box<dyn MasterPty + Send>,
-    child: Box<dyn Child + Send + Sync>,
-    keyboard: Box<dyn Write + Send>,
-    screen: Arc<Mutex<vt100::Parser>>,
+/// GB_P_2D in a terminal of its own, with a folder for its state, in which it runs, too.
+fn started(state: &Path, arguments: &[&str]) -> Terminal {
+    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_gb_p_2d"));
+    command.args(["--display", "terminal", "--lang", "en"]);
+    command.args(arguments);
+    command.env("XDG_STATE_HOME", state);
+    command.cwd(state);
+    let mut terminal = Terminal::start(80, 30, command);
+    terminal.answer(PLAIN);
+    terminal
 }
 
-impl Terminal {
-    /// Starts the program with a folder for its state, in which it runs, too.
-    fn start(state: &Path, arguments: &[&str]) -> Terminal {
-        let pair = native_pty_system().openpty(PtySize { rows: 30, cols: 80, ..PtySize::default() }).unwrap();
-        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_gb_p_2d"));
-        command.args(["--display", "terminal", "--lang", "en"]);
-        command.args(arguments);
-        command.env("XDG_STATE_HOME", state);
-        command.env("TERM", "xterm-256color");
-        command.cwd(state);
-        let child = pair.slave.spawn_command(command).unwrap();
-        drop(pair.slave);
-        let mut reader = pair.master.try_clone_reader().unwrap();
-        let screen = Arc::new(Mutex::new(vt100::Parser::new(30, 80, 0)));
-        let asked = Arc::new(Mutex::new(false));
-        let (parser, seen) = (Arc::clone(&screen), Arc::clone(&asked));
-        std::thread::spawn(move || {
-            let mut buffer = [0; 65536];
-            while let Ok(length @ 1..) = reader.read(&mut buffer) {
-                let written = &buffer[..length];
-                *seen.lock().unwrap() |=
-                    written.windows(LAST_QUESTION.len()).any(|part| part == LAST_QUESTION);
-                parser.lock().unwrap().process(written);
-            }
-        });
-        let keyboard = pair.master.take_writer().unwrap();
-        let mut terminal = Terminal { _master: pair.master, child, keyboard, screen };
-        terminal.wait("the questions", |_| *asked.lock().unwrap());
-        terminal.send(PLAIN);
-        terminal
-    }
-
-    fn send(&mut self, bytes: &[u8]) {
-        self.keyboard.write_all(bytes).unwrap();
-        self.keyboard.flush().unwrap();
-    }
-
-    #[track_caller]
-    fn wait(&mut self, what: &str, mut come: impl FnMut(&mut Terminal) -> bool) {
-        let end = Instant::now() + Duration::from_secs(20);
-        while !come(self) {
-            let shown = self.screen.lock().unwrap().screen().contents();
-            assert!(Instant::now() < end, "{what} did not come; the terminal shows\n{shown}");
-            std::thread::sleep(Duration::from_millis(5));
-        }
-    }
-
-    /// Waits for a word: blanks between words may show the picture behind them.
-    #[track_caller]
-    fn wait_for(&mut self, text: &str) {
-        self.wait(text, |terminal| terminal.screen.lock().unwrap().screen().contents().contains(text));
-    }
-
-    /// Ends the process as nothing can that it could prepare for.
-    fn kill(mut self) {
-        let process = self.child.process_id().expect("it runs").to_string();
-        let killed = std::process::Command::new("kill").args(["-9", &process]).status().unwrap();
-        assert!(killed.success());
-        self.child.wait().unwrap();
-    }
-
-    #[track_caller]
-    fn wait_for_end(&mut self) {
-        self.wait("the end of the program", |terminal| terminal.child.try_wait().unwrap().is_some());
-    }
-}
-
-impl Drop for Terminal {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
+/// Ends the process as nothing can that it could prepare for.
+fn kill(mut terminal: Terminal) {
+    let process = terminal.child.process_id().expect("it runs").to_string();
+    let killed = std::process::Command::new("kill").args(["-9", &process]).status().unwrap();
+    assert!(killed.success());
+    terminal.child.wait().unwrap();
 }
 
 /// A scratch folder, gone at the end.
@@ -138,9 +76,9 @@ const SAFE: Duration = Duration::from_secs(1);
 /// of the oldest change that is missing.
 fn kill_after(number: u64) -> Duration {
     let scratch = Scratch::new(&number.to_string());
-    let mut terminal = Terminal::start(&scratch.0, &[]);
+    let mut terminal = started(&scratch.0, &[]);
     terminal.wait_for("-new");
-    terminal.send(b"u");
+    terminal.send("u");
     terminal.wait_for("-change");
     let life = Duration::from_millis(150 + 131 * number);
     let begun = Instant::now();
@@ -151,24 +89,24 @@ fn kill_after(number: u64) -> Duration {
         std::thread::sleep(Duration::from_millis(7 + number % 5));
     }
     let killed = Instant::now();
-    terminal.kill();
+    kill(terminal);
     let found = scratch.radius() - 100.0;
     assert!(found.fract() == 0.0 && found >= 0.0 && found <= sent.len() as f64, "{found} of {}", sent.len());
     let missing = sent.get(found as usize).map_or(Duration::ZERO, |&oldest| killed.duration_since(oldest));
     println!("killed after {life:?}: {} changes, {found} kept, the oldest missing {missing:?}", sent.len());
     assert!(missing < SAFE, "{missing:?}");
     // The next start offers it and takes it up.
-    let mut terminal = Terminal::start(&scratch.0, &[]);
+    let mut terminal = started(&scratch.0, &[]);
     if found > 0.0 {
         terminal.wait_for("broke");
-        terminal.send(b"i");
+        terminal.send("i");
         terminal.wait_for("-change");
         terminal.send(UP);
         terminal.wait("the kept change", |_| scratch.radius() == 101.0 + found);
     } else {
         terminal.wait_for("-new");
     }
-    terminal.kill();
+    kill(terminal);
     missing
 }
 
@@ -186,19 +124,19 @@ fn a_kill_at_any_moment_costs_less_than_a_second() {
 #[test]
 fn a_closed_terminal_loses_nothing_and_a_running_session_is_not_offered() {
     let scratch = Scratch::new("closed");
-    let mut terminal = Terminal::start(&scratch.0, &[]);
+    let mut terminal = started(&scratch.0, &[]);
     terminal.wait_for("-new");
-    terminal.send(b"u");
+    terminal.send("u");
     terminal.wait_for("-change");
     (0..5).for_each(|_| terminal.send(UP));
     terminal.wait("the fifth change", |_| scratch.radius() == 105.0);
 
-    let mut other = Terminal::start(&scratch.0, &[]);
+    let mut other = started(&scratch.0, &[]);
     other.wait_for("-new");
-    other.send(b"u");
+    other.send("u");
     other.wait_for("-change");
     // In order: nothing is left of it.
-    other.send(b"\x03");
+    other.send("\x03");
     other.wait_for_end();
 
     (0..3).for_each(|_| terminal.send(UP));
@@ -209,26 +147,26 @@ fn a_closed_terminal_loses_nothing_and_a_running_session_is_not_offered() {
     assert_eq!(scratch.radius(), 108.0, "the last changes were written at the end");
 
     // Saved, it is not kept any more.
-    let mut terminal = Terminal::start(&scratch.0, &[]);
+    let mut terminal = started(&scratch.0, &[]);
     terminal.wait_for("broke");
-    terminal.send(b"i");
+    terminal.send("i");
     terminal.wait_for("-change");
-    terminal.send(b"\x13");
+    terminal.send("\x13");
     terminal.wait_for("File");
-    terminal.send(b"safe\r");
+    terminal.send("safe\r");
     terminal.wait("the end of the unsaved work", |_| scratch.kept().is_empty());
     assert!(scratch.0.join("SAFE.GBP").exists());
-    terminal.kill();
-    let mut terminal = Terminal::start(&scratch.0, &["SAFE.GBP"]);
+    kill(terminal);
+    let mut terminal = started(&scratch.0, &["SAFE.GBP"]);
     terminal.wait_for("-change");
     // The program knows the file that the command line named.
     let file = scratch.0.join("SAFE.GBP");
     std::fs::write(&file, "another program's").unwrap();
-    terminal.send(b"\x13");
+    terminal.send("\x13");
     terminal.wait_for("File");
-    terminal.send(b"safe\r");
+    terminal.send("safe\r");
     terminal.wait_for("changed");
-    terminal.send(b"n");
-    terminal.kill();
+    terminal.send("n");
+    kill(terminal);
     assert_eq!(std::fs::read_to_string(file).unwrap(), "another program's");
 }

@@ -38,20 +38,7 @@ use std::rc::Rc;
 use std::time::Duration;
 
 /// A disk that several sessions work on.
-#[derive(Clone, Default)]
-struct Disk(Rc<RefCell<Memory>>);
-
-impl Storage for Disk {
-    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
-        self.0.borrow().read(name)
-    }
-    fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
-        self.0.borrow_mut().write(name, content)
-    }
-    fn find(&self, name: &str) -> Option<String> {
-        self.0.borrow().find(name)
-    }
-}
+type Disk = Rc<RefCell<Memory>>;
 
 /// A running program with what it has written on a script's command.
 struct Window {

@@ -1,13 +1,17 @@
 //! TELEPIT and the menu of the terminal, started for real: as plain commands and in a pseudo-terminal.
 #![cfg(all(unix, feature = "terminal"))]
 
-use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+#[path = "common/pty.rs"]
+#[allow(dead_code, reason = "every test file uses its own part of this")]
+mod pty;
+
+use portable_pty::CommandBuilder;
+use pty::Terminal;
 use std::fs;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 const GRAFIKA: &str = env!("CARGO_BIN_EXE_grafika");
 const TELEPIT: &str = env!("CARGO_BIN_EXE_telepit");
@@ -158,79 +162,21 @@ fn the_page_is_shown_as_a_picture_too() {
 }
 
 /// A terminal with a program in it.
-struct Terminal {
-    master: Box<dyn MasterPty + Send>,
-    child: Box<dyn Child + Send + Sync>,
-    keyboard: Box<dyn Write + Send>,
-    screen: Arc<Mutex<vt100::Parser>>,
+fn started(columns: u16, rows: u16, program: &str, arguments: &[&str]) -> Terminal {
+    let mut command = CommandBuilder::new(program);
+    command.args(arguments);
+    Terminal::start(columns, rows, command)
 }
 
-impl Terminal {
-    fn start(columns: u16, rows: u16, program: &str, arguments: &[&str]) -> Terminal {
-        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
-        let pair = native_pty_system().openpty(size).unwrap();
-        let mut command = CommandBuilder::new(program);
-        command.args(arguments);
-        command.env("TERM", "xterm-256color");
-        let child = pair.slave.spawn_command(command).unwrap();
-        drop(pair.slave);
-        let mut reader = pair.master.try_clone_reader().unwrap();
-        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, columns, 0)));
-        let parser = Arc::clone(&screen);
-        std::thread::spawn(move || {
-            let mut buffer = [0; 65536];
-            while let Ok(length @ 1..) = reader.read(&mut buffer) {
-                parser.lock().unwrap().process(&buffer[..length]);
-            }
-        });
-        let keyboard = pair.master.take_writer().unwrap();
-        Terminal { master: pair.master, child, keyboard, screen }
-    }
-
-    fn send(&mut self, text: &str) {
-        self.keyboard.write_all(text.as_bytes()).unwrap();
-        self.keyboard.flush().unwrap();
-    }
-
-    fn contents(&self) -> String {
-        self.screen.lock().unwrap().screen().contents()
-    }
-
-    #[track_caller]
-    fn wait(&mut self, what: &str, mut come: impl FnMut(&mut Terminal) -> bool) {
-        let end = Instant::now() + Duration::from_secs(20);
-        while !come(self) {
-            assert!(Instant::now() < end, "{what} did not come; the terminal shows\n{}", self.contents());
-            std::thread::sleep(Duration::from_millis(5));
-        }
-    }
-
-    #[track_caller]
-    fn wait_for(&mut self, text: &str) {
-        self.wait(text, |terminal| terminal.contents().contains(text));
-    }
-
-    /// Waits for the end, with the terminal in order, and gives the exit status.
-    #[track_caller]
-    fn end(&mut self) -> u32 {
-        self.wait("the end", |terminal| terminal.child.try_wait().unwrap().is_some());
-        self.wait("the ordinary screen", |terminal| {
-            let parser = terminal.screen.lock().unwrap();
-            !parser.screen().alternate_screen() && !parser.screen().hide_cursor()
-        });
-        self.child.wait().unwrap().exit_code()
-    }
-
-    fn resize(&mut self, columns: u16, rows: u16) {
-        self.screen.lock().unwrap().screen_mut().set_size(rows, columns);
-        self.master.resize(PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 }).unwrap();
-    }
-}
-
-impl Drop for Terminal {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-    }
+/// Waits for the end, with the terminal in order, and gives the exit status.
+#[track_caller]
+fn ended(terminal: &mut Terminal) -> u32 {
+    terminal.wait_for_end();
+    terminal.wait("the ordinary screen", |terminal| {
+        let parser = terminal.screen.lock().unwrap();
+        !parser.screen().alternate_screen() && !parser.screen().hide_cursor()
+    });
+    terminal.child.wait().unwrap().exit_code()
 }
 
 const DOWN: &str = "\x1b[B";
@@ -240,7 +186,7 @@ const F2: &str = "\x1bOQ";
 fn a_visit_to_the_installer() {
     let root = scratch("visit");
     let folder = root.join("new");
-    let mut terminal = Terminal::start(80, 25, TELEPIT, &["--lang", "hu", folder.to_str().unwrap()]);
+    let mut terminal = started(80, 25, TELEPIT, &["--lang", "hu", folder.to_str().unwrap()]);
     terminal.wait_for("Szóköz jelöl");
     terminal.wait_for("GR_KZ_X GR_KZ_O");
     terminal.send(F2);
@@ -261,7 +207,7 @@ fn a_visit_to_the_installer() {
     terminal.send("\r");
     terminal.wait_for("files into");
     terminal.send("\r");
-    assert_eq!(terminal.end(), 0);
+    assert_eq!(ended(&mut terminal), 0);
     assert!(folder.join("GB_2D/A.IP2").is_file() && folder.join("JATEK/csango_k").exists());
     assert!(!folder.join("KURZOR").exists());
     fs::remove_dir_all(root).unwrap();
@@ -272,7 +218,7 @@ fn cancelling_at_a_question_undoes_everything() {
     let root = scratch("question");
     fs::create_dir(root.join("GB_2D")).unwrap();
     fs::write(root.join("GB_2D/C.IP2"), b"mine").unwrap();
-    let mut terminal = Terminal::start(80, 25, GRAFIKA, &["install", "--lang", "en", root.to_str().unwrap()]);
+    let mut terminal = started(80, 25, GRAFIKA, &["install", "--lang", "en", root.to_str().unwrap()]);
     terminal.wait_for("Space marks");
     terminal.send("*\r");
     terminal.wait_for("Where do you wish");
@@ -282,7 +228,7 @@ fn cancelling_at_a_question_undoes_everything() {
     terminal.send("\x1b");
     terminal.wait_for("Everything is as it was before.");
     terminal.send("\r");
-    assert_eq!(terminal.end(), 1);
+    assert_eq!(ended(&mut terminal), 1);
     assert_eq!(fs::read_dir(&root).unwrap().count(), 1);
     assert_eq!(fs::read(root.join("GB_2D/C.IP2")).unwrap(), b"mine");
     fs::remove_dir_all(root).unwrap();
@@ -293,13 +239,13 @@ fn a_signal_undoes_everything() {
     let root = scratch("signal");
     fs::create_dir(root.join("JATEK")).unwrap();
     fs::write(root.join("JATEK/B.CSK"), b"mine").unwrap();
-    let mut terminal = Terminal::start(80, 25, TELEPIT, &["--lang", "en", root.to_str().unwrap()]);
+    let mut terminal = started(80, 25, TELEPIT, &["--lang", "en", root.to_str().unwrap()]);
     terminal.wait_for("Space marks");
     terminal.send("*\r\r");
     terminal.wait_for("Overwrite it?");
     let process = terminal.child.process_id().unwrap().to_string();
     assert!(Command::new("kill").args(["-TERM", &process]).status().unwrap().success());
-    assert_eq!(terminal.end(), 1);
+    assert_eq!(ended(&mut terminal), 1);
     assert_eq!(fs::read_dir(&root).unwrap().count(), 1);
     fs::remove_dir_all(root).unwrap();
 }
@@ -307,7 +253,7 @@ fn a_signal_undoes_everything() {
 /// From the menu into a program and back.
 #[test]
 fn the_menu_starts_programs_and_is_there_again() {
-    let mut terminal = Terminal::start(80, 30, GRAFIKA, &["--display", "terminal", "--lang", "en"]);
+    let mut terminal = started(80, 30, GRAFIKA, &["--display", "terminal", "--lang", "en"]);
     terminal.wait_for("1. Cursors");
     terminal.send("vjs");
     terminal.wait_for("Programs: vjs");
@@ -323,5 +269,5 @@ fn the_menu_starts_programs_and_is_there_again() {
     terminal.send("\x1b");
     terminal.wait("the search given up", |terminal| !terminal.contents().contains("Programs: vjs"));
     terminal.send("\x1b");
-    assert_eq!(terminal.end(), 0);
+    assert_eq!(ended(&mut terminal), 0);
 }

@@ -1,11 +1,14 @@
 //! Drives the terminal display through a pseudo-terminal, as a user and a terminal would.
 #![cfg(all(unix, feature = "terminal"))]
 
-use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
-use std::io::{Read, Write};
+#[path = "common/pty.rs"]
+#[allow(dead_code, reason = "every test file uses its own part of this")]
+mod pty;
+
+use portable_pty::{CommandBuilder, PtySize, native_pty_system};
+use pty::{PLAIN, Terminal};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What is started and what it shows: the only part that knows the program.
 mod program {
@@ -34,116 +37,35 @@ fn path() -> PathBuf {
 }
 
 /// A terminal with the program in it.
-struct Terminal {
-    master: Box<dyn MasterPty + Send>,
-    child: Box<dyn Child + Send + Sync>,
-    keyboard: Box<dyn Write + Send>,
-    screen: Arc<Mutex<vt100::Parser>>,
-    output: Arc<Mutex<Vec<u8>>>,
+fn started(columns: u16, rows: u16, answers: &str) -> Terminal {
+    let mut command = CommandBuilder::new(path());
+    command.args(program::ARGUMENTS);
+    command.env("COLORTERM", "truecolor");
+    let mut terminal = Terminal::start(columns, rows, command);
+    terminal.answer(answers);
+    terminal
 }
 
-/// Questions end with this one, which every terminal answers.
-const LAST_QUESTION: &[u8] = b"\x1b[c";
-
-/// The answer of a terminal without graphics.
-const PLAIN: &str = "\x1b[?62;c";
-
-impl Terminal {
-    fn start(columns: u16, rows: u16, answers: &str) -> Terminal {
-        let size = PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 };
-        let pair = native_pty_system().openpty(size).unwrap();
-        let mut command = CommandBuilder::new(path());
-        command.args(program::ARGUMENTS);
-        command.env("TERM", "xterm-256color");
-        command.env("COLORTERM", "truecolor");
-        let child = pair.slave.spawn_command(command).unwrap();
-        drop(pair.slave);
-        let mut reader = pair.master.try_clone_reader().unwrap();
-        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, columns, 0)));
-        let output = Arc::new(Mutex::new(Vec::new()));
-        let (parser, log) = (Arc::clone(&screen), Arc::clone(&output));
-        std::thread::spawn(move || {
-            let mut buffer = [0; 65536];
-            while let Ok(length @ 1..) = reader.read(&mut buffer) {
-                log.lock().unwrap().extend_from_slice(&buffer[..length]);
-                parser.lock().unwrap().process(&buffer[..length]);
-            }
-        });
-        let keyboard = pair.master.take_writer().unwrap();
-        let mut terminal = Terminal { master: pair.master, child, keyboard, screen, output };
-        terminal.wait("the questions", |terminal| terminal.wrote(LAST_QUESTION));
-        terminal.send(answers);
-        terminal
-    }
-
-    fn send(&mut self, text: &str) {
-        self.keyboard.write_all(text.as_bytes()).unwrap();
-        self.keyboard.flush().unwrap();
-    }
-
-    fn resize(&mut self, columns: u16, rows: u16) {
-        self.screen.lock().unwrap().screen_mut().set_size(rows, columns);
-        self.master.resize(PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 }).unwrap();
-    }
-
-    fn contents(&self) -> String {
-        self.screen.lock().unwrap().screen().contents()
-    }
-
-    fn shows(&self, text: &str) -> bool {
-        self.contents().contains(text)
-    }
-
-    /// Whether these bytes were ever written.
-    fn wrote(&self, bytes: &[u8]) -> bool {
-        self.output.lock().unwrap().windows(bytes.len()).any(|window| window == bytes)
-    }
-
-    fn running(&mut self) -> bool {
-        self.child.try_wait().unwrap().is_none()
-    }
-
-    #[track_caller]
-    fn wait(&mut self, what: &str, mut come: impl FnMut(&mut Terminal) -> bool) {
-        let end = Instant::now() + Duration::from_secs(10);
-        while !come(self) {
-            assert!(Instant::now() < end, "{what} did not come; the terminal shows\n{}", self.contents());
-            std::thread::sleep(Duration::from_millis(5));
-        }
-    }
-
-    #[track_caller]
-    fn wait_for(&mut self, text: &str) {
-        self.wait(text, |terminal| terminal.shows(text));
-    }
-
-    #[track_caller]
-    fn wait_for_end(&mut self) -> bool {
-        self.wait("the end of the program", |terminal| !terminal.running());
-        self.child.wait().unwrap().success()
-    }
-
-    #[track_caller]
-    fn assert_restored(&mut self) {
-        self.wait("the ordinary screen", |terminal| {
-            !terminal.screen.lock().unwrap().screen().alternate_screen()
-        });
-        let parser = self.screen.lock().unwrap();
-        assert!(!parser.screen().hide_cursor(), "the cursor is hidden");
-        assert_eq!(parser.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
-    }
+/// Whether the program ended well.
+#[track_caller]
+fn ended_well(terminal: &mut Terminal) -> bool {
+    terminal.wait_for_end();
+    terminal.child.wait().unwrap().success()
 }
 
-impl Drop for Terminal {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-    }
+#[track_caller]
+fn assert_restored(terminal: &mut Terminal) {
+    terminal
+        .wait("the ordinary screen", |terminal| !terminal.screen.lock().unwrap().screen().alternate_screen());
+    let parser = terminal.screen.lock().unwrap();
+    assert!(!parser.screen().hide_cursor(), "the cursor is hidden");
+    assert_eq!(parser.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
 }
 
 /// A whole visit: texts, a key, a click, a small terminal, closing.
 #[test]
 fn block_characters_from_start_to_end() {
-    let mut terminal = Terminal::start(80, 30, PLAIN);
+    let mut terminal = started(80, 30, PLAIN);
     terminal.wait_for(program::TITLE);
     terminal.send(program::KEY.0);
     terminal.wait_for(program::KEY.1);
@@ -171,19 +93,19 @@ fn block_characters_from_start_to_end() {
     std::thread::sleep(Duration::from_millis(100));
     assert!(terminal.running() && terminal.shows(program::QUESTION));
     terminal.send(program::YES);
-    assert!(terminal.wait_for_end());
-    terminal.assert_restored();
+    assert!(ended_well(&mut terminal));
+    assert_restored(&mut terminal);
 }
 
 #[test]
 fn line_discipline_is_restored() {
-    let mut terminal = Terminal::start(80, 30, PLAIN);
+    let mut terminal = started(80, 30, PLAIN);
     terminal.wait_for(program::TITLE);
     let raw = terminal.master.get_termios().unwrap();
     terminal.send("\x03");
     terminal.wait_for(program::QUESTION);
     terminal.send(program::YES);
-    assert!(terminal.wait_for_end());
+    assert!(ended_well(&mut terminal));
     let fresh = native_pty_system().openpty(PtySize::default()).unwrap();
     let ordinary = fresh.master.get_termios().unwrap();
     assert_ne!(raw.local_flags, ordinary.local_flags);
@@ -192,23 +114,23 @@ fn line_discipline_is_restored() {
 
 #[test]
 fn a_signal_leaves_the_terminal_in_order() {
-    let mut terminal = Terminal::start(80, 30, PLAIN);
+    let mut terminal = started(80, 30, PLAIN);
     terminal.wait_for(program::TITLE);
     // Sends the signal of a closed terminal.
     terminal.child.kill().unwrap();
-    assert!(!terminal.wait_for_end());
-    terminal.assert_restored();
+    assert!(!ended_well(&mut terminal));
+    assert_restored(&mut terminal);
 }
 
 #[test]
 fn a_terminal_that_answers_nothing_is_served_too() {
-    let mut terminal = Terminal::start(80, 30, "");
+    let mut terminal = started(80, 30, "");
     terminal.wait_for(program::TITLE);
 }
 
 #[test]
 fn the_keyboard_moves_and_presses_the_mouse() {
-    let mut terminal = Terminal::start(80, 30, PLAIN);
+    let mut terminal = started(80, 30, PLAIN);
     terminal.wait_for(program::TITLE);
     let pointer = |terminal: &Terminal| {
         let contents = terminal.contents();
@@ -226,20 +148,20 @@ const KITTY: &str = "\x1b_Gi=31;OK\x1b\\\x1b[?0u\x1b[?1016;2$y\x1b[4;600;1000t\x
 
 #[test]
 fn kitty_gets_its_graphics() {
-    let mut terminal = Terminal::start(100, 30, KITTY);
+    let mut terminal = started(100, 30, KITTY);
     terminal.wait("a picture", |terminal| terminal.wrote(b"\x1b_Ga=T,f=100,"));
     assert!(terminal.wrote(b"\x1b[?1016h") && !terminal.shows(program::TITLE));
     terminal.send("\x03");
     terminal.send(program::YES);
-    assert!(terminal.wait_for_end());
+    assert!(ended_well(&mut terminal));
     terminal.wait("the picture's deletion", |terminal| terminal.wrote(b"\x1b_Ga=d,"));
     assert!(terminal.wrote(b"\x1b[?1016l"));
-    terminal.assert_restored();
+    assert_restored(&mut terminal);
 }
 
 #[test]
 fn sixel_terminals_get_sixel() {
-    let mut terminal = Terminal::start(80, 30, "\x1b[6;20;10t\x1b[?62;4;22c");
+    let mut terminal = started(80, 30, "\x1b[6;20;10t\x1b[?62;4;22c");
     terminal.wait("a picture", |terminal| terminal.wrote(b"\x1bP0;1;0q\"1;1;640;480"));
     terminal.send(program::KEY.0);
     // Only the changed part is sent again.

@@ -2,27 +2,14 @@
 //! is wrong in it is told and left alone; it never keeps a program from starting.
 
 use super::Failure;
-use crate::machine::{Keeper, Preference, Preferences, write_safely};
-use std::ffi::OsString;
+use crate::machine::{Keeper, Preference, Preferences, UserFolder, write_safely};
 use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Item, Value, value};
 
-/// Where the settings are: `$XDG_CONFIG_HOME/grafika/config.toml` or else below `~/.config`; on Windows in
-/// `%APPDATA%`, on macOS in `~/Library/Application Support`. `None` when the environment names no such place.
+/// Where the settings are: `config.toml` in [`UserFolder::Config`]. `None` when the environment names no such
+/// place.
 pub fn config_path() -> Option<PathBuf> {
-    path_of(|name| std::env::var_os(name))
-}
-
-fn path_of(variable: impl Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
-    let path = |name| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
-    let folder = if cfg!(windows) {
-        path("APPDATA")
-    } else if cfg!(target_os = "macos") {
-        path("HOME").map(|home| home.join("Library/Application Support"))
-    } else {
-        path("XDG_CONFIG_HOME").or_else(|| path("HOME").map(|home| home.join(".config")))
-    };
-    folder.map(|folder| folder.join("grafika").join("config.toml"))
+    UserFolder::Config.path().map(|folder| folder.join("config.toml"))
 }
 
 /// The preferences of a text, and what is wrong with it.
@@ -180,17 +167,5 @@ mod tests {
         assert_eq!((preferences, problems.len()), (Preferences::default(), 1));
         // A broken file is not written over.
         assert!(written("palette = amber", &Preferences::default()).is_err());
-    }
-
-    #[test]
-    fn the_place_is_the_standards() {
-        let only = |known: &'static str, path: &'static str| {
-            path_of(move |name| (name == known).then(|| OsString::from(path)))
-        };
-        if cfg!(all(unix, not(target_os = "macos"))) {
-            assert_eq!(only("XDG_CONFIG_HOME", "/c"), Some(PathBuf::from("/c/grafika/config.toml")));
-            assert_eq!(only("HOME", "/h"), Some(PathBuf::from("/h/.config/grafika/config.toml")));
-            assert_eq!(only("XDG_CONFIG_HOME", "relative"), None);
-        }
     }
 }

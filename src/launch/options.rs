@@ -2,7 +2,7 @@
 
 use super::config::{self, ConfigFile};
 use crate::machine::{
-    Folder, Language, Machine, Offers, Preferences, RecoveryFolder, Settings, Shown, state_folder,
+    Folder, Language, Machine, Offers, Preferences, RecoveryFolder, Settings, Shown, UserFolder,
 };
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -127,7 +127,7 @@ impl RunOptions {
         let settings = Settings { language: self.language(), seed };
         let recovery = || {
             let offers = if self.record.is_some() { Offers::Nothing } else { Offers::Lost };
-            RecoveryFolder::new(state_folder(), &folder, offers)
+            RecoveryFolder::new(UserFolder::State.path(), &folder, offers)
         };
         let live = self.script.is_none() && self.display != Some(DisplayKind::None);
         let recovery = live.then(recovery);

@@ -71,25 +71,9 @@ mod tests {
     use crate::machine::Memory;
     use std::rc::Rc;
 
-    /// The same memory behind two programs.
-    #[derive(Clone, Default)]
-    struct Shared(Rc<RefCell<Memory>>);
-
-    impl Storage for Shared {
-        fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
-            self.0.borrow().read(name)
-        }
-        fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
-            self.0.borrow_mut().write(name, content)
-        }
-        fn find(&self, name: &str) -> Option<String> {
-            self.0.borrow().find(name)
-        }
-    }
-
     #[test]
     fn only_what_others_have_written_is_a_change() {
-        let place = Shared::default();
+        let place = Rc::new(RefCell::new(Memory::default()));
         let [mut one, mut other] = [0, 1].map(|_| Files::new(Box::new(place.clone())));
         assert_eq!(one.standing("P.IP2"), Standing::Free);
         one.write("P.IP2", b"1").unwrap();
@@ -107,7 +91,7 @@ mod tests {
 
     #[test]
     fn a_sample_is_no_file_but_a_file_in_its_place_is_a_change() {
-        let mut place = Shared::default();
+        let mut place = Rc::new(RefCell::new(Memory::default()));
         let files = Files::new(Box::new(place.clone()));
         files.read("A.IP2").unwrap();
         assert_eq!(files.standing("A.IP2"), Standing::Free);

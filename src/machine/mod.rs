@@ -37,6 +37,8 @@ mod session;
 mod storage;
 #[cfg(feature = "terminal")]
 pub mod terminal;
+#[cfg(feature = "native")]
+mod user_folder;
 #[cfg(feature = "window")]
 pub mod window;
 
@@ -49,11 +51,13 @@ pub use preferences::{Keeper, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
 #[cfg(feature = "native")]
-pub use recovery::{Offers, RecoveryFolder, state_folder};
+pub use recovery::{Offers, RecoveryFolder};
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
 pub use storage::{Memory, Storage, StorageError, StorageProblem, free_name};
+#[cfg(feature = "native")]
+pub use user_folder::UserFolder;
 
 use crate::screen::{Masks, Screen};
 use film::Film;

@@ -3,8 +3,10 @@
 //! The folder on disk is `folder.rs`; [`Memory`] serves tests and displays without a disk.
 
 use super::samples::sample;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::rc::Rc;
 
 /// What can go wrong with a stored file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,6 +115,21 @@ impl Storage for Memory {
 
     fn find(&self, name: &str) -> Option<String> {
         self.files.keys().find(|known| known.eq_ignore_ascii_case(name)).cloned()
+    }
+}
+
+/// A place that several programs work in.
+impl<S: Storage> Storage for Rc<RefCell<S>> {
+    fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
+        self.borrow().read(name)
+    }
+
+    fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
+        self.borrow_mut().write(name, content)
+    }
+
+    fn find(&self, name: &str) -> Option<String> {
+        self.borrow().find(name)
     }
 }
 

@@ -1,76 +1,12 @@
 //! Every text that the user sees, in Hungarian and English. The hot letters are the same in both, so
 //! that scripts and habits work in either language.
 
+pub use super::phrase::{Hot, Phrase, Words};
 use crate::file::{FileError, Format};
 use crate::geometry::GeometryError;
 use crate::machine::{Language, StorageError, StorageProblem};
 use std::borrow::Cow;
 use std::time::Duration;
-
-/// A fixed text in Hungarian and in English.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Words(pub &'static str, pub &'static str);
-
-impl Words {
-    /// The text in a language.
-    pub fn of(self, language: Language) -> &'static str {
-        match language {
-            Language::Hungarian => self.0,
-            Language::English => self.1,
-        }
-    }
-}
-
-/// A text that is put together while the program runs, in both languages.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Phrase {
-    hungarian: Cow<'static, str>,
-    english: Cow<'static, str>,
-}
-
-impl Phrase {
-    /// A phrase of its two texts.
-    pub fn new(hungarian: impl Into<Cow<'static, str>>, english: impl Into<Cow<'static, str>>) -> Phrase {
-        Phrase { hungarian: hungarian.into(), english: english.into() }
-    }
-
-    /// What has one text for both languages: an error of the library, which speaks English.
-    pub fn plain(text: &dyn std::fmt::Display) -> Phrase {
-        let text = text.to_string();
-        Phrase::new(text.clone(), text)
-    }
-
-    /// The text in a language.
-    pub fn of(&self, language: Language) -> &str {
-        match language {
-            Language::Hungarian => &self.hungarian,
-            Language::English => &self.english,
-        }
-    }
-}
-
-impl From<Words> for Phrase {
-    fn from(words: Words) -> Phrase {
-        Phrase::new(words.0, words.1)
-    }
-}
-
-/// What stands behind a hot letter on a button or in an answer: the letter and the rest of the word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Hot {
-    /// The hot letter or digit, in upper case.
-    pub letter: char,
-    /// The rest of the text.
-    pub rest: Words,
-}
-
-impl Hot {
-    /// A hot letter with the rest of the word in Hungarian and in English.
-    #[must_use]
-    pub const fn new(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
-        Hot { letter, rest: Words(hungarian, english) }
-    }
-}
 
 // Answers.
 pub(crate) const YES: Hot = Hot::new('I', "gen", "-yes");

@@ -4,9 +4,7 @@
 use super::demo::Demo;
 use grafika::file::{Document, Format};
 use grafika::launch::Program;
-use grafika::machine::{
-    Event, Key, Language, Machine, Memory, Outlet, Script, Session, Settings, Storage, play,
-};
+use grafika::machine::{Event, Key, Language, Machine, Memory, Script, Session, Settings, Storage, play};
 use grafika::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::time::Duration;
 
@@ -24,19 +22,6 @@ pub(super) struct Preview {
     pixels: Vec<Color>,
 }
 
-/// Scripts of the menu write nothing.
-struct Nowhere;
-
-impl Outlet for Nowhere {
-    fn picture(&mut self, _: &str, _: &Screen) -> Result<(), String> {
-        Ok(())
-    }
-
-    fn text(&mut self, _: &str, _: &str) -> Result<(), String> {
-        Ok(())
-    }
-}
-
 impl Preview {
     /// Starts a program and leads it to its picture. What a script cannot do is left out: there is a
     /// picture in any case.
@@ -51,7 +36,7 @@ impl Preview {
         let mut session =
             Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
         let script = Script::parse(demo.map_or("", |demo| demo.script)).unwrap_or_default();
-        let _ = play(&mut session, &script, &mut Nowhere);
+        let _ = play(&mut session, &script, &mut ());
         let pixels = small(&session.screen());
         Preview { session, now: Duration::ZERO, motion: demo.and_then(|demo| demo.motion), pixels }
     }

@@ -8,7 +8,6 @@ use super::place::{Place, WORK, clear_leftovers};
 use super::writer::{Shared, Wish, write};
 use super::{Lost, Recovery, Verdict, Work};
 use std::collections::BTreeSet;
-use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -27,23 +26,6 @@ pub enum Offers {
     Nothing,
 }
 
-/// The folder where the programs keep what is to outlive them: `grafika` in `$XDG_STATE_HOME` or else
-/// `~/.local/state` (`~/Library/Application Support` on macOS, `%LOCALAPPDATA%` on Windows).
-pub fn state_folder() -> Option<PathBuf> {
-    state_folder_of(|name| std::env::var_os(name))
-}
-
-fn state_folder_of(variable: impl Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
-    // A relative path would be another folder for every current one; the standard says to ignore it.
-    let path = |name| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
-    let below_home = if cfg!(target_os = "macos") { "Library/Application Support" } else { ".local/state" };
-    let base = match cfg!(windows) {
-        true => path("LOCALAPPDATA"),
-        false => path("XDG_STATE_HOME").or_else(|| path("HOME").map(|home| home.join(below_home))),
-    };
-    base.map(|base| base.join("grafika"))
-}
-
 /// Unsaved work in the folder `recovery` of a state folder.
 pub struct RecoveryFolder {
     folder: Option<PathBuf>,
@@ -58,7 +40,7 @@ pub struct RecoveryFolder {
 }
 
 impl RecoveryFolder {
-    /// The folder `recovery` in a state folder ([`state_folder`]; without one nothing can be kept, which is
+    /// The folder `recovery` in a state folder ([`UserFolder::State`]; without one nothing can be kept, which is
     /// told), for a program whose own files are in another folder.
     pub fn new(state: Option<PathBuf>, files: &Path, offers: Offers) -> RecoveryFolder {
         RecoveryFolder {
@@ -487,24 +469,5 @@ mod tests {
         scratch.leave(".grafika-2-0.tmp", b"");
         assert_eq!(scratch.session().lost("q"), None);
         assert_eq!(scratch.names(), [".grafika-2-0.tmp", "note.txt", "p-2-0.lock", "p-2-0.unsaved"]);
-    }
-
-    #[test]
-    fn the_state_folder_is_the_standards() {
-        let folder = |set: &[(&str, &str)]| {
-            state_folder_of(|name| {
-                set.iter().find(|(known, _)| *known == name).map(|(_, value)| value.into())
-            })
-        };
-        if cfg!(all(unix, not(target_os = "macos"))) {
-            let home = ("HOME", "/home/me");
-            assert_eq!(folder(&[home]).unwrap(), Path::new("/home/me/.local/state/grafika"));
-            for unset in ["", "relative"] {
-                let state = ("XDG_STATE_HOME", unset);
-                assert_eq!(folder(&[state, home]).unwrap(), Path::new("/home/me/.local/state/grafika"));
-            }
-            assert_eq!(folder(&[("XDG_STATE_HOME", "/x"), home]).unwrap(), Path::new("/x/grafika"));
-        }
-        assert_eq!(folder(&[]), None);
     }
 }

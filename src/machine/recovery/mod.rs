@@ -13,7 +13,7 @@ mod place;
 mod writer;
 
 #[cfg(feature = "native")]
-pub use folder::{Offers, RecoveryFolder, state_folder};
+pub use folder::{Offers, RecoveryFolder};
 
 use std::time::Duration;
 

@@ -1,0 +1,69 @@
+//! What a text on the screen is: the same in Hungarian and in English, with a hot letter or without.
+
+use crate::machine::Language;
+use std::borrow::Cow;
+
+/// A fixed text in Hungarian and in English.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words(pub &'static str, pub &'static str);
+
+impl Words {
+    /// The text in a language.
+    pub fn of(self, language: Language) -> &'static str {
+        match language {
+            Language::Hungarian => self.0,
+            Language::English => self.1,
+        }
+    }
+}
+
+/// A text that is put together while the program runs, in both languages.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Phrase {
+    hungarian: Cow<'static, str>,
+    english: Cow<'static, str>,
+}
+
+impl Phrase {
+    /// A phrase of its two texts.
+    pub fn new(hungarian: impl Into<Cow<'static, str>>, english: impl Into<Cow<'static, str>>) -> Phrase {
+        Phrase { hungarian: hungarian.into(), english: english.into() }
+    }
+
+    /// What has one text for both languages: an error of the library, which speaks English.
+    pub fn plain(text: &dyn std::fmt::Display) -> Phrase {
+        let text = text.to_string();
+        Phrase::new(text.clone(), text)
+    }
+
+    /// The text in a language.
+    pub fn of(&self, language: Language) -> &str {
+        match language {
+            Language::Hungarian => &self.hungarian,
+            Language::English => &self.english,
+        }
+    }
+}
+
+impl From<Words> for Phrase {
+    fn from(words: Words) -> Phrase {
+        Phrase::new(words.0, words.1)
+    }
+}
+
+/// What stands behind a hot letter on a button or in an answer: the letter and the rest of the word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hot {
+    /// The hot letter or digit, in upper case.
+    pub letter: char,
+    /// The rest of the text.
+    pub rest: Words,
+}
+
+impl Hot {
+    /// A hot letter with the rest of the word in Hungarian and in English.
+    #[must_use]
+    pub const fn new(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
+        Hot { letter, rest: Words(hungarian, english) }
+    }
+}
