@@ -4,10 +4,10 @@
 //!     cargo run --example own_program
 //!     cargo run --example own_program -- --display terminal
 
-use grafika::launch::{Program, no_file};
 use grafika::machine::{Key, Language, Machine, Quit};
+use grafika::programs::groups;
 use grafika::screen::{Color, Screen};
-use grafika::ui::{Area, Desk, Manual, Picture, Words, sunken};
+use grafika::ui::{Area, CommandLine, Demo, Desk, Manual, Picture, Program, Words, sunken, without_document};
 use serde::Serialize;
 use std::process::ExitCode;
 
@@ -22,8 +22,15 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-const PROGRAM: Program =
-    Program { manual: MANUAL, chapter: "", run: |machine, _| Box::pin(run(machine)), check: no_file };
+const PROGRAM: Program = Program {
+    manual: MANUAL,
+    chapter: "4",
+    group: &groups::GAMES,
+    opens: &[],
+    demo: Demo { file: "", script: "", motion: None },
+    start: |document| without_document(document, |machine| Box::pin(run(machine))),
+    command_line: CommandLine::Usual,
+};
 
 fn main() -> ExitCode {
     PROGRAM.main()

@@ -1,25 +1,18 @@
 //! CSANGO_K: the Csángó cube, fourteen pieces that are moved and turned into a cube of 4 x 4 x 4 (chapter 4.4).
 //! Rules and searches are `grafika::puzzle::cube`; here are the game, its picture and its controls.
 
-#[path = "csango_k/eye.rs"]
 mod eye;
-#[path = "csango_k/hand.rs"]
 mod hand;
-#[path = "csango_k/panel.rs"]
 mod panel;
-#[path = "csango_k/picture.rs"]
 mod picture;
-#[path = "csango_k/player.rs"]
 mod player;
-#[path = "csango_k/task.rs"]
 mod task;
-#[path = "csango_k/texts.rs"]
 mod texts;
 
-use grafika::file::Document;
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::file::{Document, Format};
+use crate::machine::Key;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "csango_k",
@@ -28,17 +21,16 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "4.4",
-    run: |machine, file| Box::pin(player::run(machine, MANUAL, file)),
-    check: |document| match document {
-        Document::CsangoCube(_) => Ok(()),
-        _ => Err(texts::NO_CUBE.into()),
+    group: &groups::GAMES,
+    opens: &[Format::Csk],
+    demo: Demo { file: "A.CSK", script: "", motion: Some(Key::Left) },
+    start: |document| match document {
+        Some(document) if !matches!(document, Document::CsangoCube(_)) => Err(texts::NO_CUBE.into()),
+        document => Ok(Box::new(move |machine| Box::pin(player::run(machine, MANUAL, document)))),
     },
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

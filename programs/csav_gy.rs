@@ -1,11 +1,11 @@
 //! CSAV_GY: a twisted ring (3.9), to be looked at from all sides (chapter 3.1).
 
-use grafika::editor::net::{self, Show};
-use grafika::geometry::Grid;
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
+use super::groups;
+use crate::editor::net::{self, Show};
+use crate::geometry::Grid;
+use crate::machine::Key;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words, without_document};
 use std::f64::consts::TAU;
-use std::process::ExitCode;
 
 const MANUAL: Manual = Manual {
     name: "csav_gy",
@@ -14,13 +14,19 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "3.1",
-    run: |machine, _| {
-        Box::pin(net::show(machine, Show { manual: MANUAL, view: [0.3, 0.4, 0.2], grid: ring() }))
+    group: &groups::RINGS,
+    opens: &[],
+    demo: Demo { file: "", script: "key T", motion: Some(Key::Left) },
+    start: |document| {
+        without_document(document, |machine| {
+            Box::pin(net::show(machine, Show { manual: MANUAL, view: [0.3, 0.4, 0.2], grid: ring() }))
+        })
     },
-    check: net::shows_nothing_else,
+    command_line: CommandLine::Usual,
 };
 
 /// Lines around the ring and around its tube; the last of each is the first again.
@@ -33,9 +39,4 @@ fn ring() -> Grid {
         let out = 160.0 + 20.0 * (6.0 * along).sin() + 60.0 * around.sin();
         [out * along.cos(), out * along.sin(), 20.0 * (6.0 * along).cos() + 60.0 * around.cos()]
     })
-}
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
 }

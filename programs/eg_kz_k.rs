@@ -1,13 +1,12 @@
 //! EG_KZ_K: the pointer of the mouse driver, made of two masks (chapter 1.4): first the four combinations
 //! of mask bits, then a face whose eyes are shut by the mouse buttons.
 
-use grafika::cursor;
-use grafika::launch::{Program, no_file};
-use grafika::machine::{Button, Key, Language, Machine, Mouse, Pointer, Quit, Tick};
-use grafika::screen::{HEIGHT, Masks, Screen, WIDTH};
-use grafika::ui::{Area, Desk, Lesson, Manual, Words};
+use super::groups;
+use crate::cursor;
+use crate::machine::{Button, Key, Language, Machine, Mouse, Pointer, Quit, Tick};
+use crate::screen::{HEIGHT, Masks, Screen, WIDTH};
+use crate::ui::{Area, CommandLine, Demo, Desk, Lesson, Manual, Program, Words, without_document};
 use serde::Serialize;
-use std::process::ExitCode;
 
 const MANUAL: Manual = Manual {
     name: "eg_kz_k",
@@ -36,8 +35,16 @@ const MANUAL: Manual = Manual {
     ],
 };
 
-pub(crate) const PROGRAM: Program =
-    Program { manual: MANUAL, chapter: "1.4", run: |machine, _| Box::pin(run(machine)), check: no_file };
+/// The program.
+pub const PROGRAM: Program = Program {
+    manual: MANUAL,
+    chapter: "1.4",
+    group: &groups::CURSORS,
+    opens: &[],
+    demo: Demo { file: "", script: "move 320 240", motion: None },
+    start: |document| without_document(document, |machine| Box::pin(run(machine))),
+    command_line: CommandLine::Usual,
+};
 
 /// Where the mouse may go; the edges belong to it.
 const RANGE: Area = Area::new(2, 2, 638, 478);
@@ -147,9 +154,4 @@ async fn both_parts(desk: &mut Desk<'_>) -> Result<(), Quit> {
         }
     }
     Ok(())
-}
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
 }

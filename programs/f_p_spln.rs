@@ -1,10 +1,10 @@
 //! F_P_SPLN: open spline surfaces (chapter 3.3.2). All of it is the surface editor.
 
-use grafika::editor::net::{self, Family, Plan, Start};
-use grafika::file::NetKind;
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::net::{self, Family, Plan, Start};
+use crate::file::{Format, NetKind};
+use crate::machine::Key;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const PLAN: Plan = Plan {
     manual: Manual {
@@ -21,14 +21,13 @@ const PLAN: Plan = Plan {
     view: NetKind::VIEW,
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: PLAN.manual,
     chapter: "3.3.2",
-    run: |machine, file| Box::pin(net::run(machine, PLAN, file)),
-    check: |document| net::check(&PLAN, document),
+    group: &groups::OPEN_SURFACES,
+    opens: &[Format::Fps],
+    demo: Demo { file: "A.FPS", script: "type ftet", motion: Some(Key::Left) },
+    start: |document| net::start(&PLAN, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

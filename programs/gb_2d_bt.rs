@@ -1,9 +1,9 @@
 //! GB_2D_BT: plane beta-splines with bias and tension (chapter 2.3.7). All of it is the plane editor.
 
-use grafika::editor::plane::{self, Tools};
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::plane::{self, Tools};
+use crate::file::Format;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "gb_2d_bt",
@@ -15,14 +15,13 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.3.7",
-    run: |machine, file| Box::pin(plane::run(machine, MANUAL, Tools::Beta, file)),
-    check: plane::check,
+    group: &groups::PLANE_CURVES,
+    opens: &[Format::Ip2],
+    demo: Demo { file: "B.IP2", script: "type gz\nkey E\nkey N", motion: None },
+    start: |document| plane::start(MANUAL, Tools::Beta, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

@@ -1,10 +1,10 @@
 //! GB_2D_CH: Coons-Hermite curves with tangents of the user's own (chapter 2.3.3). All of it is the plane
 //! editor.
 
-use grafika::editor::plane::{self, Tools};
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::plane::{self, Tools};
+use crate::file::Format;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "gb_2d_ch",
@@ -16,14 +16,13 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.3.3",
-    run: |machine, file| Box::pin(plane::run(machine, MANUAL, Tools::Tangents, file)),
-    check: plane::check,
+    group: &groups::PLANE_CURVES,
+    opens: &[Format::Ic2, Format::Ec2],
+    demo: Demo { file: "A.IC2", script: "key N\ntype gz\nkey N\nkey E\nkey N", motion: None },
+    start: |document| plane::start(MANUAL, Tools::Tangents, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

@@ -1,10 +1,10 @@
 //! GB_2D_IP: plane curves by interpolation and approximation methods (chapters 2.3.1, 2.3.2, 2.3.5 to
 //! 2.3.8). All of it is the plane editor.
 
-use grafika::editor::plane::{self, Tools};
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::plane::{self, Tools};
+use crate::file::Format;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "gb_2d_ip",
@@ -16,14 +16,13 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.3.1, 2.3.2, 2.3.5-2.3.8",
-    run: |machine, file| Box::pin(plane::run(machine, MANUAL, Tools::Methods, file)),
-    check: plane::check,
+    group: &groups::PLANE_CURVES,
+    opens: &[Format::Ip2],
+    demo: Demo { file: "A.IP2", script: "type gz3\nkey E\nkey N", motion: None },
+    start: |document| plane::start(MANUAL, Tools::Methods, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

@@ -1,9 +1,10 @@
 //! GB_3D_BT: beta-splines in space with bias and tension (chapter 2.3.7). All of it is the space editor.
 
-use grafika::editor::space::{self, Tools};
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::space::{self, Tools};
+use crate::file::Format;
+use crate::machine::Key;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "gb_3d_bt",
@@ -15,14 +16,13 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.3.7",
-    run: |machine, file| Box::pin(space::run(machine, MANUAL, Tools::Beta, file)),
-    check: space::check,
+    group: &groups::SPACE_CURVES,
+    opens: &[Format::Ip3],
+    demo: Demo { file: "B.IP3", script: "type gn\nkey E\nkey N", motion: Some(Key::Left) },
+    start: |document| space::start(MANUAL, Tools::Beta, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

@@ -1,10 +1,11 @@
 //! GB_3D_IP: curves in space by interpolation and approximation methods (chapters 2.3.3 to
 //! 2.3.6). All of it is the space editor.
 
-use grafika::editor::space::{self, Tools};
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::space::{self, Tools};
+use crate::file::Format;
+use crate::machine::Key;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "gb_3d_ip",
@@ -16,14 +17,13 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.3.3-2.3.6",
-    run: |machine, file| Box::pin(space::run(machine, MANUAL, Tools::Methods, file)),
-    check: space::check,
+    group: &groups::SPACE_CURVES,
+    opens: &[Format::Ip3],
+    demo: Demo { file: "A.IP3", script: "type gn3\nkey E\nkey N", motion: Some(Key::Left) },
+    start: |document| space::start(MANUAL, Tools::Methods, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

@@ -1,9 +1,9 @@
 //! GB_P_2D: plane curves by Fourier coefficients (chapter 2.2). All of it is the Fourier editor.
 
-use grafika::editor::fourier;
-use grafika::launch::Program;
-use grafika::ui::{Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::editor::fourier;
+use crate::file::Format;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
     name: "gb_p_2d",
@@ -12,14 +12,13 @@ const MANUAL: Manual = Manual {
     lesson: &[],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "2.2",
-    run: |machine, file| Box::pin(fourier::run(machine, MANUAL, file)),
-    check: fourier::check,
+    group: &groups::PLANE_CURVES,
+    opens: &[Format::Gbp],
+    demo: Demo { file: "A.GBP", script: "key E", motion: None },
+    start: |document| fourier::start(MANUAL, document),
+    command_line: CommandLine::Usual,
 };
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
-}

@@ -1,11 +1,11 @@
 //! GR_KZ_O: a cursor of its own colours, put on the screen by or and exclusive-or over a background that
 //! is saved and put back (chapter 1.2).
 
-use grafika::cursor::{self, Cursor, Removal};
-use grafika::launch::{Program, no_file};
-use grafika::screen::{Color, Put, Screen, Stroke};
-use grafika::ui::{Lesson, Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::cursor::{self, Cursor, Removal};
+use crate::machine::Key;
+use crate::screen::{Color, Put, Screen, Stroke};
+use crate::ui::{CommandLine, Demo, Lesson, Manual, Program, Words, without_document};
 
 const MANUAL: Manual = Manual {
     name: "gr_kz_o",
@@ -39,11 +39,19 @@ const MANUAL: Manual = Manual {
     ],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "1.2",
-    run: |machine, _| Box::pin(cursor::run(machine, MANUAL, cursor::patchwork(10, 71, 0), cross())),
-    check: no_file,
+    group: &groups::CURSORS,
+    opens: &[],
+    demo: Demo { file: "", script: "move 320 240", motion: Some(Key::Right) },
+    start: |document| {
+        without_document(document, |machine| {
+            Box::pin(cursor::run(machine, MANUAL, cursor::patchwork(10, 71, 0), cross()))
+        })
+    },
+    command_line: CommandLine::Usual,
 };
 
 /// A white cross with a black border: the whole cross by or, then the border alone by exclusive-or.
@@ -61,9 +69,4 @@ fn arms(screen: &mut Screen, stroke: Stroke) {
     let (middle, end) = (Cursor::RADIUS, 2 * Cursor::RADIUS);
     screen.line(0, middle, end, middle, stroke);
     screen.line(middle, 0, middle, end, stroke);
-}
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
 }

@@ -1,10 +1,10 @@
 //! GR_KZ_X: a cursor that is put on the screen by exclusive-or and taken off by the same (chapter 1.2).
 
-use grafika::cursor::{self, Cursor, Removal};
-use grafika::launch::{Program, no_file};
-use grafika::screen::{Color, Put};
-use grafika::ui::{Lesson, Manual, Words};
-use std::process::ExitCode;
+use super::groups;
+use crate::cursor::{self, Cursor, Removal};
+use crate::machine::Key;
+use crate::screen::{Color, Put};
+use crate::ui::{CommandLine, Demo, Lesson, Manual, Program, Words, without_document};
 
 const MANUAL: Manual = Manual {
     name: "gr_kz_x",
@@ -34,11 +34,19 @@ const MANUAL: Manual = Manual {
     ],
 };
 
-pub(crate) const PROGRAM: Program = Program {
+/// The program.
+pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "1.2",
-    run: |machine, _| Box::pin(cursor::run(machine, MANUAL, cursor::patchwork(4, 163, 0), disc())),
-    check: no_file,
+    group: &groups::CURSORS,
+    opens: &[],
+    demo: Demo { file: "", script: "move 320 240", motion: Some(Key::Right) },
+    start: |document| {
+        without_document(document, |machine| {
+            Box::pin(cursor::run(machine, MANUAL, cursor::patchwork(4, 163, 0), disc()))
+        })
+    },
+    command_line: CommandLine::Usual,
 };
 
 /// A white disc, put by exclusive-or.
@@ -46,9 +54,4 @@ fn disc() -> Cursor {
     let r = Cursor::RADIUS;
     let image = Cursor::image(|screen| screen.disc(r, r, r, Color::White, Color::Black));
     Cursor::new(vec![(image, Put::Xor)], Removal::PutAgain)
-}
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
 }

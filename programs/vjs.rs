@@ -1,18 +1,15 @@
 //! VJS: the virtual joystick (chapter 1.5.2). A stick is dragged with the mouse in its square and gives a
 //! point on its track the acceleration; numbers tell time, place, velocity and acceleration.
 
-#[path = "vjs/motion.rs"]
 mod motion;
-#[path = "vjs/panel.rs"]
 mod panel;
 
-use grafika::launch::{Program, no_file};
-use grafika::machine::{Button, Key, Machine, Mouse, Quit, Tick};
-use grafika::ui::{Desk, Lesson, Manual, Words};
+use super::groups;
+use crate::machine::{Button, Key, Machine, Mouse, Quit, Tick};
+use crate::ui::{CommandLine, Demo, Desk, Lesson, Manual, Program, Words, without_document};
 use motion::{Motion, STEPS_PER_SECOND};
 use panel::{HANDLE_RADIUS, Panel, STICK};
 use serde::Serialize;
-use std::process::ExitCode;
 use std::time::Duration;
 
 const MANUAL: Manual = Manual {
@@ -45,8 +42,16 @@ const MANUAL: Manual = Manual {
     ],
 };
 
-pub(crate) const PROGRAM: Program =
-    Program { manual: MANUAL, chapter: "1.5.2", run: |machine, _| Box::pin(run(machine)), check: no_file };
+/// The program.
+pub const PROGRAM: Program = Program {
+    manual: MANUAL,
+    chapter: "1.5.2",
+    group: &groups::CURSORS,
+    opens: &[],
+    demo: Demo { file: "", script: "key Up\nkey Up\nkey Left", motion: None },
+    start: |document| without_document(document, |machine| Box::pin(run(machine))),
+    command_line: CommandLine::Usual,
+};
 
 /// How far the handle gets from the middle of its square, in pixels.
 const TILT: i32 = 40;
@@ -152,9 +157,4 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
             None => {}
         }
     }
-}
-
-#[allow(dead_code, reason = "the same file is a module of the menu, which starts the program itself")]
-fn main() -> ExitCode {
-    PROGRAM.main()
 }

@@ -15,6 +15,8 @@ pub mod geometry;
 pub mod launch;
 pub mod machine;
 pub mod pascal;
+#[path = "../programs/mod.rs"]
+pub mod programs;
 pub mod puzzle;
 pub mod screen;
 pub mod table;

@@ -2,12 +2,9 @@
 
 mod common;
 
-#[path = "../programs/biliard.rs"]
-mod biliard;
-
-use biliard::PROGRAM;
 use common::{Kept, pictures, play_script};
 use grafika::machine::{Memory, Script, Storage, play};
+use grafika::programs::biliard::PROGRAM;
 use serde_json::Value;
 
 #[test]

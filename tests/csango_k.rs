@@ -3,13 +3,10 @@
 
 mod common;
 
-#[path = "../programs/csango_k.rs"]
-mod csango_k;
-
 use common::{Kept, pictures, play_script, random};
-use csango_k::PROGRAM;
 use grafika::file::{Document, Format};
 use grafika::machine::{Memory, Script, Storage, play};
+use grafika::programs::csango_k::PROGRAM;
 use grafika::puzzle::cube::{CsangoCube, Move, Rules, Way};
 use serde_json::Value;
 

@@ -3,17 +3,12 @@
 
 mod common;
 
-#[path = "../programs/eg_kz_k.rs"]
-mod eg_kz_k;
-#[path = "../programs/gr_kz_o.rs"]
-mod gr_kz_o;
-#[path = "../programs/gr_kz_x.rs"]
-mod gr_kz_x;
+use grafika::programs::{eg_kz_k, gr_kz_o, gr_kz_x};
 
 use common::reference::Allowance;
 use common::{Kept, pictures, play_script, random, reference};
-use grafika::launch::Program;
 use grafika::machine::{Memory, Script, Settings, play};
+use grafika::ui::Program;
 use grafika::ui::{Lesson, Words};
 use serde_json::{Value, json};
 

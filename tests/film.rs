@@ -2,15 +2,12 @@
 
 mod common;
 
-#[path = "../programs/gb_2d_ip.rs"]
-mod gb_2d_ip;
-#[path = "../programs/vjs.rs"]
-mod vjs;
+use grafika::programs::{gb_2d_ip, vjs};
 
 use common::{Kept, Refusing, SharedDisk};
-use grafika::launch::Program;
 use grafika::machine::{Event, Key, Script, Session, Settings, Storage, play};
 use grafika::screen::{Color, Screen};
+use grafika::ui::Program;
 use std::time::Duration;
 
 const EDITOR: Program = gb_2d_ip::PROGRAM;

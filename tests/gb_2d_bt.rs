@@ -3,12 +3,9 @@
 
 mod common;
 
-#[path = "../programs/gb_2d_bt.rs"]
-mod gb_2d_bt;
-
 use common::{Kept, pictures, play_script};
-use gb_2d_bt::PROGRAM;
 use grafika::machine::Memory;
+use grafika::programs::gb_2d_bt::PROGRAM;
 
 #[test]
 fn every_reference_script_gives_the_originals_screen() {

@@ -2,12 +2,9 @@
 
 mod common;
 
-#[path = "../programs/gb_2d_ch.rs"]
-mod gb_2d_ch;
-
 use common::{Kept, pictures, play_script, storage};
-use gb_2d_ch::PROGRAM;
 use grafika::machine::{Memory, Storage};
+use grafika::programs::gb_2d_ch::PROGRAM;
 
 #[test]
 fn every_reference_script_gives_the_originals_screen() {

@@ -2,12 +2,9 @@
 
 mod common;
 
-#[path = "../programs/gb_2d_ip.rs"]
-mod gb_2d_ip;
-
 use common::{Kept, pictures, play_script};
-use gb_2d_ip::PROGRAM;
 use grafika::machine::{Memory, Storage};
+use grafika::programs::gb_2d_ip::PROGRAM;
 
 #[test]
 fn every_reference_script_gives_the_originals_screen() {
@@ -178,9 +175,7 @@ fn play_opened(document: grafika::file::Document, script: &str) -> Kept {
     let mut kept = Kept::default();
     let script = grafika::machine::Script::parse(script).unwrap();
     let machine = grafika::machine::Machine::new(Box::new(Memory::default()), Default::default());
-    let mut session = grafika::machine::Session::start(machine, move |mut machine| async move {
-        (PROGRAM.run)(&mut machine, Some(document)).await
-    });
+    let mut session = common::session_on(PROGRAM, machine, Some(document));
     grafika::machine::play(&mut session, &script, &mut kept).unwrap();
     kept
 }
@@ -241,14 +236,14 @@ fn the_workshop_needs_points_and_can_be_closed_from() {
 fn measured_points_are_opened_from_csv_with_their_fractions() {
     let csv = "x,y\n0,10.5\n100.25,20\n200,15.125\n300,25\n";
     let document = grafika::file::Document::from_csv(csv).unwrap();
-    assert!((PROGRAM.check)(&document).is_ok());
+    assert!((PROGRAM.start)(Some(document.clone())).is_ok());
     let kept = play_opened(document, "dump end.json\nkey F5\nkey Enter\ndump taken.json");
     assert_eq!(points(&kept), [[0.0, 10.5], [100.25, 20.0], [200.0, 15.125], [300.0, 25.0]]);
     let smoothed = grafika::geometry::smooth(&points(&kept), Default::default()).unwrap().points;
     let rounded: Vec<[f64; 2]> = smoothed.iter().map(|point| point.map(f64::round_ties_even)).collect();
     assert_eq!(kept.models["taken.json"]["points"], serde_json::json!(rounded));
     let outside = grafika::file::Document::from_csv("x,y\n0,0\n561,0\n2,2\n").unwrap();
-    assert!((PROGRAM.check)(&outside).is_err());
+    assert!((PROGRAM.start)(Some(outside.clone())).is_err());
 }
 
 #[test]

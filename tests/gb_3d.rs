@@ -3,14 +3,11 @@
 
 mod common;
 
-#[path = "../programs/gb_3d_bt.rs"]
-mod gb_3d_bt;
-#[path = "../programs/gb_3d_ip.rs"]
-mod gb_3d_ip;
+use grafika::programs::{gb_3d_bt, gb_3d_ip};
 
 use common::{Kept, pictures, play_script, random, reference};
-use grafika::launch::Program;
 use grafika::machine::{Memory, Storage};
+use grafika::ui::Program;
 
 const IP: Program = gb_3d_ip::PROGRAM;
 const BT: Program = gb_3d_bt::PROGRAM;
@@ -250,8 +247,8 @@ fn files_of_another_kind_are_refused() {
     use grafika::file::{Document, Format, SpacePoints};
     let plane = Document::read(Format::Ip2, grafika::machine::sample("A.IP2").unwrap()).unwrap();
     let space = |count| Document::SpacePoints(SpacePoints::new(vec![[1e9, -3.5, 0.0]; count]));
-    assert!((IP.check)(&plane).is_err() && (BT.check)(&plane).is_err());
-    assert!((IP.check)(&space(99)).is_ok() && (IP.check)(&space(100)).is_err());
+    assert!((IP.start)(Some(plane.clone())).is_err() && (BT.start)(Some(plane.clone())).is_err());
+    assert!((IP.start)(Some(space(99))).is_ok() && (IP.start)(Some(space(100))).is_err());
 }
 
 #[test]

@@ -2,13 +2,10 @@
 
 mod common;
 
-#[path = "../programs/gb_p_2d.rs"]
-mod gb_p_2d;
-
 use common::{Kept, pictures, play_script, storage};
-use gb_p_2d::PROGRAM;
 use grafika::file::{Document, Format, Fourier};
 use grafika::machine::{Memory, Storage, sample};
+use grafika::programs::gb_p_2d::PROGRAM;
 
 #[test]
 fn every_reference_script_gives_the_originals_screen() {
@@ -249,10 +246,10 @@ fn a_wrong_file_is_refused() {
     assert_eq!(coefficients(&kept), circle());
     pictures::assert_golden("p2d_wrong_file", &kept.pictures["end.png"]);
     let points = Document::PlanePoints(Default::default());
-    assert!((PROGRAM.check)(&points).is_err());
+    assert!((PROGRAM.start)(Some(points.clone())).is_err());
     let mut huge = circle();
     huge.a[7] = 1e300;
-    assert!((PROGRAM.check)(&Document::Fourier(Box::new(huge))).is_err());
+    assert!((PROGRAM.start)(Some(Document::Fourier(Box::new(huge)))).is_err());
 }
 
 #[test]

@@ -3,15 +3,12 @@
 
 mod common;
 
-#[path = "../programs/gyongy_k.rs"]
-mod gyongy_k;
-
 use common::reference::Allowance;
 use common::{Kept, pictures, play_script, random, reference};
 use grafika::file::{Document, Format};
 use grafika::machine::{Memory, Script, Storage, play};
+use grafika::programs::gyongy_k::PROGRAM;
 use grafika::puzzle::wheel::{Wheel, moves_from_text};
-use gyongy_k::PROGRAM;
 use serde_json::Value;
 
 #[test]

@@ -3,35 +3,16 @@
 
 mod common;
 
-/// The programs as modules.
-macro_rules! programs {
-    ($($name:ident $file:literal)*) => { $(#[path = $file] mod $name;)* };
-}
-
-programs! {
-    biliard "../programs/biliard.rs"
-    csango_k "../programs/csango_k.rs"
-    f_em_spl "../programs/f_em_spl.rs"
-    f_p_spln "../programs/f_p_spln.rs"
-    gb_2d_bt "../programs/gb_2d_bt.rs"
-    gb_2d_ch "../programs/gb_2d_ch.rs"
-    gb_2d_ip "../programs/gb_2d_ip.rs"
-    gb_3d_ip "../programs/gb_3d_ip.rs"
-    gb_p_2d "../programs/gb_p_2d.rs"
-    gyongy_k "../programs/gyongy_k.rs"
-    zm_bspl "../programs/zm_bspl.rs"
-    zm_hspl "../programs/zm_hspl.rs"
-    zy_betsp "../programs/zy_betsp.rs"
-}
-
 use common::random::{self, Dice};
 use common::shelf::{Item, Shelf};
 use common::{Kept, pictures};
 use grafika::file::{Document, Format};
-use grafika::launch::Program;
-use grafika::machine::{
-    Language, Machine, Memory, Script, Session, Settings, Storage, StorageError, Work, play, sample,
+use grafika::machine::{Language, Machine, Memory, Script, Session, Settings, Storage, Work, play, sample};
+use grafika::programs::{
+    biliard, csango_k, f_em_spl, f_p_spln, gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip, gb_p_2d, gyongy_k,
+    zm_bspl, zm_hspl, zy_betsp,
 };
+use grafika::ui::Program;
 use serde_json::Value;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -53,11 +34,7 @@ impl Window {
 
     fn open_with(program: Program, disk: &Disk, shelf: &Shelf, file: Option<Document>) -> Window {
         let machine = Machine::new(Box::new(disk.clone()), Settings::default()).with_recovery(shelf.slot());
-        let session =
-            Session::start(
-                machine,
-                move |mut machine| async move { (program.run)(&mut machine, file).await },
-            );
+        let session = common::session_on(program, machine, file);
         Window { session, kept: Kept::default() }
     }
 
@@ -388,7 +365,7 @@ fn broken_work_is_told_in_one_message() {
     }
     let settings = Settings { language: Language::English, ..Settings::default() };
     let machine = Machine::new(Box::new(Memory::default()), settings).with_recovery(shelf.slot());
-    let session = Session::start(machine, |mut machine| async move { (IP.run)(&mut machine, None).await });
+    let session = common::session_on(IP, machine, None);
     Window { session, kept: Kept::default() }.assert_picture("safety_broken_english");
 }
 

@@ -2,30 +2,15 @@
 
 mod common;
 
-#[path = "../programs/csav_gy.rs"]
-mod csav_gy;
-#[path = "../programs/f_p_herm.rs"]
-mod f_p_herm;
-#[path = "../programs/f_p_spln.rs"]
-mod f_p_spln;
-#[path = "../programs/gb_2d_bt.rs"]
-mod gb_2d_bt;
-#[path = "../programs/gb_2d_ch.rs"]
-mod gb_2d_ch;
-#[path = "../programs/gb_2d_ip.rs"]
-mod gb_2d_ip;
-#[path = "../programs/gb_3d_ip.rs"]
-mod gb_3d_ip;
-#[path = "../programs/gb_p_2d.rs"]
-mod gb_p_2d;
-#[path = "../programs/gr_kz_x.rs"]
-mod gr_kz_x;
+use grafika::programs::{
+    csav_gy, f_p_herm, f_p_spln, gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip, gb_p_2d, gr_kz_x,
+};
 
 use common::{Kept, Refusing, SharedDisk, pictures};
 use grafika::figure::screen_png;
 use grafika::geometry::{Closure, Curve, Method, Point};
-use grafika::launch::Program;
 use grafika::machine::{Script, Settings, Storage, play};
+use grafika::ui::Program;
 
 const PLANE: Program = gb_2d_ip::PROGRAM;
 

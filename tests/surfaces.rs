@@ -6,35 +6,32 @@ mod common;
 use common::reference::Allowance;
 use common::{Kept, pictures, play_script, random, reference};
 use grafika::file::{Document, Format};
-use grafika::launch::Program;
 use grafika::machine::{Memory, Storage};
+use grafika::programs::{
+    csav_gy, f_em_spl, f_p_bets, f_p_bezr, f_p_bspl, f_p_herm, f_p_hspl, f_p_spln, zm_betsp, zm_bspl,
+    zm_hspl, zm_spln, zy_betsp, zy_bspl, zy_hspl, zy_spln,
+};
+use grafika::ui::Program;
 
-/// The programs as modules, and all of them in a table.
-macro_rules! programs {
-    ($($name:ident $file:literal)*) => {
-        $(#[path = $file] mod $name;)*
-        const PROGRAMS: &[Program] = &[$($name::PROGRAM),*];
-    };
-}
-
-programs! {
-    csav_gy "../programs/csav_gy.rs"
-    f_p_herm "../programs/f_p_herm.rs"
-    f_p_spln "../programs/f_p_spln.rs"
-    f_em_spl "../programs/f_em_spl.rs"
-    f_p_bezr "../programs/f_p_bezr.rs"
-    f_p_bspl "../programs/f_p_bspl.rs"
-    f_p_bets "../programs/f_p_bets.rs"
-    f_p_hspl "../programs/f_p_hspl.rs"
-    zm_spln "../programs/zm_spln.rs"
-    zm_bspl "../programs/zm_bspl.rs"
-    zm_betsp "../programs/zm_betsp.rs"
-    zm_hspl "../programs/zm_hspl.rs"
-    zy_spln "../programs/zy_spln.rs"
-    zy_bspl "../programs/zy_bspl.rs"
-    zy_betsp "../programs/zy_betsp.rs"
-    zy_hspl "../programs/zy_hspl.rs"
-}
+/// The surface programs.
+const PROGRAMS: &[Program] = &[
+    csav_gy::PROGRAM,
+    f_p_herm::PROGRAM,
+    f_p_spln::PROGRAM,
+    f_em_spl::PROGRAM,
+    f_p_bezr::PROGRAM,
+    f_p_bspl::PROGRAM,
+    f_p_bets::PROGRAM,
+    f_p_hspl::PROGRAM,
+    zm_spln::PROGRAM,
+    zm_bspl::PROGRAM,
+    zm_betsp::PROGRAM,
+    zm_hspl::PROGRAM,
+    zy_spln::PROGRAM,
+    zy_bspl::PROGRAM,
+    zy_betsp::PROGRAM,
+    zy_hspl::PROGRAM,
+];
 
 /// Numbers of the reference screens in the order of [`PROGRAMS`]: those of the original, and those of its
 /// copy with a fault mended, whose names have an X.

@@ -2,13 +2,10 @@
 
 mod common;
 
-#[path = "../programs/vjs.rs"]
-mod vjs;
-
 use common::{Kept, pictures, play_script, random};
 use grafika::machine::{Memory, Script, Settings, play};
+use grafika::programs::vjs::PROGRAM;
 use serde_json::{Value, json};
-use vjs::PROGRAM;
 
 fn play_to_end(script: &str) -> Kept {
     play_script(PROGRAM, Memory::default(), &format!("{script}\ndump end.json\nshot end.png\n"))

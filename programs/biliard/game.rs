@@ -1,7 +1,7 @@
 //! The game as a plain value: where the balls rest, the shot that led there, the points. It is what undo
 //! takes back and what a file holds.
 
-use grafika::table::{Ball, Cloth, Field, Hit, Obstacle, RACK, RADIUS, Surface, Table, Vector};
+use crate::table::{Ball, Cloth, Field, Hit, Obstacle, RACK, RADIUS, Surface, Table, Vector};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 

@@ -3,10 +3,10 @@
 
 use super::game::{Game, Shot};
 use super::texts;
-use grafika::machine::Language;
-use grafika::screen::{Bitmap, Color, Put, Screen, Stroke};
-use grafika::table::{Obstacle, RACK, RADIUS, Surface, Table, Vector};
-use grafika::ui::{Area, Picture, sunken};
+use crate::machine::Language;
+use crate::screen::{Bitmap, Color, Put, Screen, Stroke};
+use crate::table::{Obstacle, RACK, RADIUS, Surface, Table, Vector};
+use crate::ui::{Area, Picture, sunken};
 
 /// The discs' radius in pixels.
 const DISC: i32 = RADIUS as i32;

@@ -1,8 +1,8 @@
 //! Balls in motion: the table's steps against the clock.
 
 use super::game::{Game, Shot, Touched};
-use grafika::machine::FRAMES_PER_SECOND;
-use grafika::table::{STEP, Table};
+use crate::machine::FRAMES_PER_SECOND;
+use crate::table::{STEP, Table};
 use std::time::Duration;
 
 /// Length of a step on the clock.

@@ -1,8 +1,8 @@
 //! What the billiard says, in Hungarian and English.
 
 use super::game::{GOAL, Points};
-use grafika::machine::Language;
-use grafika::ui::{KeyHelp, Phrase, Words};
+use crate::machine::Language;
+use crate::ui::{KeyHelp, Phrase, Words};
 
 pub(crate) const KEYS: &[KeyHelp] = &[
     (Words("egér", "mouse"), Words("lökés: a golyó képének húzása", "shot: drag a ball's ghost away")),

@@ -1,7 +1,7 @@
 //! The perspective of the book (4.17): the viewer looks at the middle of the table from one of three heights
 //! and goes around it by steps of 30 degrees.
 
-use grafika::geometry::Vertex;
+use crate::geometry::Vertex;
 use serde::Serialize;
 
 /// A point in space: pixels from the middle of the table, z up.

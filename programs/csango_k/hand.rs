@@ -1,7 +1,7 @@
 //! A piece held by the mouse: it follows cell by cell as far as its way is free.
 
 use super::eye::{EDGE, Eye, centre};
-use grafika::puzzle::cube::{Action, CsangoCube, Move, Rules};
+use crate::puzzle::cube::{Action, CsangoCube, Move, Rules};
 
 /// Most cells that a piece is moved at one event: more than the table is wide.
 const FARTHEST: f64 = 20.0;

@@ -1,9 +1,9 @@
 //! The furniture around the field: title, panels, buttons.
 
 use super::texts;
-use grafika::machine::{Key, Language};
-use grafika::screen::{Color, Direction, Screen, Stroke};
-use grafika::ui::{Area, raised, sunken, window};
+use crate::machine::{Key, Language};
+use crate::screen::{Color, Direction, Screen, Stroke};
+use crate::ui::{Area, raised, sunken, window};
 
 /// The white field with the table.
 pub(crate) const FIELD: Area = Area::new(24, 54, 506, 456);

@@ -2,9 +2,9 @@
 
 use super::eye::{EDGE, Eye, centre};
 use super::panel::FIELD;
-use grafika::file::cube::{CsangoCube, CubePiece, shape};
-use grafika::geometry::{DepthBuffer, Vertex};
-use grafika::screen::{Color, Screen, Stroke};
+use crate::file::cube::{CsangoCube, CubePiece, shape};
+use crate::geometry::{DepthBuffer, Vertex};
+use crate::screen::{Color, Screen, Stroke};
 
 /// The pieces as the viewer sees them: piece `k`, from 1, in colour `k`.
 pub(crate) struct Scene(DepthBuffer);
@@ -103,7 +103,7 @@ pub(crate) fn draw_axes(screen: &mut Screen, eye: Eye) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grafika::puzzle::cube::Rules;
+    use crate::puzzle::cube::Rules;
 
     /// The piece whose cell a ray meets first: the faces of every cell, one by one.
     fn first_met(cube: &CsangoCube, from: [f64; 3], to: [f64; 3]) -> Option<usize> {

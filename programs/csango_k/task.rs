@@ -1,6 +1,6 @@
 //! What the program does by itself: looking for a filling, for the moves that build it, and making them.
 
-use grafika::puzzle::cube::{CsangoCube, Move, Progress, Rules, Search, Way, WayError};
+use crate::puzzle::cube::{CsangoCube, Move, Progress, Rules, Search, Way, WayError};
 use std::collections::VecDeque;
 use std::time::Duration;
 

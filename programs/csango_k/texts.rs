@@ -1,9 +1,9 @@
 //! What the program of the cube says, in Hungarian and English.
 
-use grafika::editor::keys;
-use grafika::machine::Language;
-use grafika::puzzle::cube::{Move, Rules};
-use grafika::ui::{KeyHelp, Phrase, Stopwatch, Words};
+use crate::editor::keys;
+use crate::machine::Language;
+use crate::puzzle::cube::{Move, Rules};
+use crate::ui::{KeyHelp, Phrase, Stopwatch, Words};
 use std::time::Duration;
 
 pub(crate) const KEYS: &[KeyHelp] = &[

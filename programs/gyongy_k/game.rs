@@ -1,9 +1,9 @@
 //! The game as a plain value: what undo takes back.
 
 use super::texts;
-use grafika::file::Document;
-use grafika::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
-use grafika::ui::Phrase;
+use crate::file::Document;
+use crate::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
+use crate::ui::Phrase;
 use serde::{Deserialize, Serialize};
 
 /// A problem that can be made again from its number.

@@ -2,10 +2,10 @@
 
 use super::game::Game;
 use super::texts;
-use grafika::machine::Language;
-use grafika::puzzle::wheel::{ARMS, Move, Progress, RINGS, Wheel};
-use grafika::screen::{Color, Direction, Screen, Stroke};
-use grafika::ui::{Area, Button, MIDDLE, page, sunken};
+use crate::machine::Language;
+use crate::puzzle::wheel::{ARMS, Move, Progress, RINGS, Wheel};
+use crate::screen::{Color, Direction, Screen, Stroke};
+use crate::ui::{Area, Button, MIDDLE, page, sunken};
 use std::time::Duration;
 
 /// The buttons of the original.

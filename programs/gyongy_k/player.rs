@@ -4,13 +4,13 @@ use super::game::{Game, Problem};
 use super::picture::{BUTTONS, Board, GoingOn, View, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
-use grafika::editor::History;
-use grafika::editor::configuration::{self, Configuration, Next};
-use grafika::file::{BeadWheel, Document, Format};
-use grafika::machine::{Event, Key, Language, Machine, Quit, Tick};
-use grafika::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
-use grafika::screen::Screen;
-use grafika::ui::{
+use crate::editor::History;
+use crate::editor::configuration::{self, Configuration, Next};
+use crate::file::{BeadWheel, Document, Format};
+use crate::machine::{Event, Key, Language, Machine, Quit, Tick};
+use crate::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
+use crate::screen::Screen;
+use crate::ui::{
     Answer, Area, Caption, Choices, Desk, Field, Form, MIDDLE, Manual, Number, Phrase, Picture, Question,
     Stay, Stopwatch,
 };

@@ -1,6 +1,6 @@
 //! What goes on by itself: a search, a solution that is played, the demonstration.
 
-use grafika::puzzle::wheel::{Difficulty, Move, Scramble, Search, Solver, Tables, Wheel};
+use crate::puzzle::wheel::{Difficulty, Move, Scramble, Search, Solver, Tables, Wheel};
 use std::time::Duration;
 
 /// Time between two moves.

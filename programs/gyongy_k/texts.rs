@@ -1,10 +1,10 @@
 //! What the bead wheel says, in Hungarian and English.
 
 use super::game::Problem;
-use grafika::editor::keys;
-use grafika::machine::Language;
-use grafika::puzzle::wheel::{Difficulty, Move, Progress};
-use grafika::ui::{Hot, KeyHelp, Stopwatch, Words};
+use crate::editor::keys;
+use crate::machine::Language;
+use crate::puzzle::wheel::{Difficulty, Move, Progress};
+use crate::ui::{Hot, KeyHelp, Stopwatch, Words};
 use std::time::Duration;
 
 pub(crate) const KEYS: &[KeyHelp] = &[

@@ -1,6 +1,6 @@
 //! Pages as their tests keep them.
 
-use grafika::textmode::Page;
+use crate::textmode::Page;
 use std::path::Path;
 
 /// Compares a page of 80x25 with the text that is kept of it; `UPDATE_PICTURES=1` makes it anew.

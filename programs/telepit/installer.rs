@@ -4,12 +4,10 @@
 use super::job::{Answer, Job, Step};
 use super::plan::{Plan, System};
 use super::texts;
-use crate::groups::GROUPS;
-use grafika::machine::{Key, Language};
-use grafika::textmode::{
-    Doing, Hit, Line, Overlay, Page, Row, Summary, TextEvent, TextProgram, chosen_after,
-};
-use grafika::ui::{Phrase, Words};
+use crate::machine::{Key, Language};
+use crate::programs::groups::GROUPS;
+use crate::textmode::{Doing, Hit, Line, Overlay, Page, Row, Summary, TextEvent, TextProgram, chosen_after};
+use crate::ui::{Phrase, Words};
 use std::path::PathBuf;
 
 /// Finds the executable of a name.
@@ -80,10 +78,10 @@ impl Installer {
     }
 
     fn rows(&self) -> Vec<Row> {
-        let row = |(group, marked): (&crate::groups::Group, &bool)| {
+        let row = |(group, marked): (&crate::ui::Group, &bool)| {
             Row::Mark(*marked, format!("{:8} {}", group.folder, group.name.of(self.language)))
         };
-        GROUPS.iter().zip(&self.marked).map(row).collect()
+        GROUPS.into_iter().zip(&self.marked).map(row).collect()
     }
 
     fn overlay(&self) -> Option<Overlay> {
@@ -159,7 +157,7 @@ impl Installer {
 
     /// The folder has been named.
     fn start(&mut self, folder: &str) -> Stage {
-        let marked = GROUPS.iter().zip(&self.marked).filter(|(_, marked)| **marked);
+        let marked = GROUPS.into_iter().zip(&self.marked).filter(|(_, marked)| **marked);
         let groups: Vec<_> = marked.map(|(group, _)| group).collect();
         folder.clone_into(&mut self.folder);
         match Plan::new(&groups, &*self.find, System::HERE) {
@@ -226,7 +224,7 @@ fn goes_on(event: TextEvent) -> bool {
 impl TextProgram for Installer {
     fn page(&self) -> Page {
         let language = self.language;
-        let group = GROUPS.get(self.chosen);
+        let group = GROUPS.get(self.chosen).copied();
         let keys =
             texts::KEYS.iter().map(|(_, key, what)| (key.of(language).into(), what.of(language).into()));
         Page {
@@ -322,7 +320,7 @@ mod tests {
             press(&mut page, &[Key::Enter]);
             assert_golden(&page.page(), &format!("telepit_where_{code}.txt"));
             press(&mut page, &[Key::Esc]);
-            let plan = Plan::new(&[&GROUPS[1]], &*page.find, System::Unix).unwrap();
+            let plan = Plan::new(&[GROUPS[1]], &*page.find, System::Unix).unwrap();
             let job = Job::new(folder.to_path_buf(), plan.clone(), None);
             page.stage = Stage::Works(job);
             assert_golden(&page.page(), &format!("telepit_works_{code}.txt"));

@@ -224,12 +224,12 @@ impl Job {
 mod tests {
     use super::super::journal::tests::{contents, scratch};
     use super::*;
-    use crate::groups::GROUPS;
+    use crate::programs::groups::GROUPS;
     use std::fs;
 
     fn plan() -> Plan {
         let find = |name: &str| Some(Path::new("/bin").join(name));
-        Plan::new(&GROUPS.iter().collect::<Vec<_>>(), &find, System::HERE).unwrap()
+        Plan::new(&GROUPS, &find, System::HERE).unwrap()
     }
 
     /// Steps to the end with one answer to every question.
@@ -260,7 +260,7 @@ mod tests {
         let (report, asked) = run(&mut Job::new(root.clone(), plan(), None), Answer::No).unwrap();
         assert_eq!((report.written, report.same, asked), (0, files, 0));
         assert_eq!(contents(&root), after);
-        assert_eq!(fs::read(root.join("GB_2D/A.IP2")).ok().as_deref(), grafika::machine::sample("A.IP2"));
+        assert_eq!(fs::read(root.join("GB_2D/A.IP2")).ok().as_deref(), crate::machine::sample("A.IP2"));
         fs::remove_dir_all(folder).unwrap();
     }
 
@@ -318,7 +318,7 @@ mod tests {
     fn without_links_scripts_start_the_programs() {
         let root = scratch("scripts");
         let find = |name: &str| (name == "grafika").then(|| PathBuf::from("/bin/echo"));
-        let plan = Plan::new(&[&GROUPS[0]], &find, System::Windows).unwrap();
+        let plan = Plan::new(&[GROUPS[0]], &find, System::Windows).unwrap();
         for written in [plan.entries.len(), 0] {
             let mut job = Job::new(root.clone(), plan.clone(), None);
             job.system = System::Windows;

@@ -1,6 +1,6 @@
 //! What goes where: the files of chosen groups with their content. No file is touched here.
 
-use crate::groups::Group;
+use crate::ui::Group;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -79,7 +79,7 @@ impl Plan {
             entries.push(entry("", "grafika", Starter { executable: executable.clone(), program: None }));
         }
         for group in groups {
-            for &name in group.programs {
+            for name in group.programs().map(|program| program.manual.name) {
                 let own = find(name).map(|executable| Starter { executable, program: None });
                 let through_menu =
                     || menu.clone().map(|executable| Starter { executable, program: Some(name) });
@@ -143,10 +143,10 @@ fn replaced(bytes: &[u8], from: u8, to: &[u8]) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::groups::GROUPS;
+    use crate::programs::groups::GROUPS;
 
     fn all() -> Vec<&'static Group> {
-        GROUPS.iter().collect()
+        GROUPS.to_vec()
     }
 
     fn everything(name: &str) -> Option<PathBuf> {
@@ -158,8 +158,8 @@ mod tests {
         for system in [System::Unix, System::Windows] {
             let plan = Plan::new(&all(), &everything, system).unwrap();
             let mut paths: Vec<PathBuf> = plan.entries.iter().map(Entry::path).collect();
-            let programs: usize = GROUPS.iter().map(|group| group.programs.len()).sum();
-            assert_eq!(paths.len(), 1 + programs + grafika::machine::SAMPLES.len());
+            let programs: usize = crate::programs::ALL.len();
+            assert_eq!(paths.len(), 1 + programs + crate::machine::SAMPLES.len());
             paths.sort();
             paths.dedup();
             assert_eq!(paths.len(), plan.entries.len());
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn programs_start_by_themselves_or_through_the_menu() {
-        let group = [&GROUPS[1]];
+        let group = [GROUPS[1]];
         let plan = Plan::new(&group, &everything, System::Unix).unwrap();
         let own = Starter { executable: "/bin/gb_p_2d".into(), program: None };
         assert_eq!(plan.entries[1].what, What::Starter(own));

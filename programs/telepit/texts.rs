@@ -1,9 +1,9 @@
 //! The words of the installer.
 
 use super::job::{Answer, Failed, Report};
-use crate::groups::Group;
-use grafika::machine::{Key, Language};
-use grafika::ui::{KeyHelp, Phrase, Words};
+use crate::machine::{Key, Language};
+use crate::ui::Group;
+use crate::ui::{KeyHelp, Phrase, Words};
 use std::path::Path;
 
 pub(crate) const TITLE: Words = Words(
@@ -77,8 +77,9 @@ pub(crate) fn summary(group: &Group, language: Language) -> Vec<String> {
     let samples: Vec<(&str, &[u8])> = group.samples().collect();
     let names: Vec<&str> = samples.iter().map(|(name, _)| *name).collect();
     let bytes: usize = samples.iter().map(|(_, content)| content.len()).sum();
-    let files = group.programs.len() + samples.len();
-    let programs = group.programs.join(" ").to_uppercase();
+    let programs: Vec<String> = group.programs().map(|it| it.manual.name.to_uppercase()).collect();
+    let files = programs.len() + samples.len();
+    let programs = programs.join(" ");
     let of = |words: Words| words.of(language);
     let mut lines = vec![group.about.of(language).to_owned(), String::new()];
     lines.push(format!("{}: {}", of(Words("Fejezet", "Chapter")), group.chapter));

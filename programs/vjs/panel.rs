@@ -1,9 +1,9 @@
 //! The picture of VJS: track, stick, axes and the seven displays.
 
 use super::motion::Readings;
-use grafika::machine::Language;
-use grafika::screen::{Color, Screen, Stroke};
-use grafika::ui::{Area, Picture, Words, window};
+use crate::machine::Language;
+use crate::screen::{Color, Screen, Stroke};
+use crate::ui::{Area, Picture, Words, window};
 
 /// The track, inside of its frame.
 const TRACK_AREA: Area = Area::new(50, 20, 470, 440);

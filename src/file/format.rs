@@ -1,4 +1,4 @@
-//! The table of the data files: extension, size, what is in it, whose it is.
+//! The table of the data files: extension, size, what is in it.
 
 use std::fmt;
 
@@ -32,11 +32,10 @@ struct Row {
     size: usize,
     english: &'static str,
     hungarian: &'static str,
-    programs: &'static [&'static str],
 }
 
 macro_rules! rows {
-    ($($format:ident $extension:literal $size:literal $english:literal $hungarian:literal $programs:expr;)*) => {
+    ($($format:ident $extension:literal $size:literal $english:literal $hungarian:literal;)*) => {
         /// Every format, in the order of the table.
         const ALL: &[Format] = &[$(Format::$format),*];
         const ROWS: &[Row] = &[$(Row {
@@ -45,29 +44,28 @@ macro_rules! rows {
             size: $size,
             english: $english,
             hungarian: $hungarian,
-            programs: &$programs,
         }),*];
     };
 }
 
 rows! {
-    Ip2 "IP2" 1300 "control points in the plane" "síkbeli kontrollpontok" ["GB_2D_IP", "GB_2D_BT"];
-    Ic2 "IC2" 1300 "control points with tangents" "kontrollpontok érintőkkel" ["GB_2D_CH"];
-    Ec2 "EC2" 1300 "tangents at control points" "érintők a kontrollpontokban" ["GB_2D_CH"];
-    Gbp "GBP" 504 "coefficients of a Fourier curve" "Fourier-görbe együtthatói" ["GB_P_2D"];
-    Ip3 "IP3" 3000 "control points in space" "térbeli kontrollpontok" ["GB_3D_IP", "GB_3D_BT"];
-    Fhc "FHC" 640 "Hermite patch" "Hermite-folt" ["F_P_HERM"];
-    Fps "FPS" 640 "net of an open spline surface" "nyílt spline felület hálója" ["F_P_SPLN", "F_P_HSPL"];
-    Fem "FEM" 640 "heights of a spline surface" "spline felület magasságai" ["F_EM_SPL"];
-    Fpb "FPB" 640 "net of a Bézier patch" "Bézier-folt hálója" ["F_P_BEZR"];
-    Fbs "FBS" 640 "net of an open B-spline surface" "nyílt B-spline felület hálója" ["F_P_BSPL", "F_P_BETS"];
-    Zms "ZMS" 640 "net of a spline surface like a sphere" "gömbszerű spline felület hálója" ["ZM_SPLN", "ZM_HSPL"];
-    Zmb "ZMB" 640 "net of a B-spline surface like a sphere" "gömbszerű B-spline felület hálója" ["ZM_BSPL", "ZM_BETSP"];
-    Zys "ZYS" 640 "net of a spline surface like a torus" "gyűrűszerű spline felület hálója" ["ZY_SPLN", "ZY_HSPL"];
-    Zyb "ZYB" 640 "net of a B-spline surface like a torus" "gyűrűszerű B-spline felület hálója" ["ZY_BSPL", "ZY_BETSP"];
-    Zyp "ZYP" 640 "net of a beta-spline surface like a torus" "gyűrűszerű béta-spline felület hálója" ["ZY_BETSP"];
-    Gyk "GYK" 37 "position of the bead wheel" "a gyöngykerék állása" ["GYONGY_K"];
-    Csk "CSK" 17024 "position of the Csángó cube" "a csángó kocka állása" ["CSANGO_K"];
+    Ip2 "IP2" 1300 "control points in the plane" "síkbeli kontrollpontok";
+    Ic2 "IC2" 1300 "control points with tangents" "kontrollpontok érintőkkel";
+    Ec2 "EC2" 1300 "tangents at control points" "érintők a kontrollpontokban";
+    Gbp "GBP" 504 "coefficients of a Fourier curve" "Fourier-görbe együtthatói";
+    Ip3 "IP3" 3000 "control points in space" "térbeli kontrollpontok";
+    Fhc "FHC" 640 "Hermite patch" "Hermite-folt";
+    Fps "FPS" 640 "net of an open spline surface" "nyílt spline felület hálója";
+    Fem "FEM" 640 "heights of a spline surface" "spline felület magasságai";
+    Fpb "FPB" 640 "net of a Bézier patch" "Bézier-folt hálója";
+    Fbs "FBS" 640 "net of an open B-spline surface" "nyílt B-spline felület hálója";
+    Zms "ZMS" 640 "net of a spline surface like a sphere" "gömbszerű spline felület hálója";
+    Zmb "ZMB" 640 "net of a B-spline surface like a sphere" "gömbszerű B-spline felület hálója";
+    Zys "ZYS" 640 "net of a spline surface like a torus" "gyűrűszerű spline felület hálója";
+    Zyb "ZYB" 640 "net of a B-spline surface like a torus" "gyűrűszerű B-spline felület hálója";
+    Zyp "ZYP" 640 "net of a beta-spline surface like a torus" "gyűrűszerű béta-spline felület hálója";
+    Gyk "GYK" 37 "position of the bead wheel" "a gyöngykerék állása";
+    Csk "CSK" 17024 "position of the Csángó cube" "a csángó kocka állása";
 }
 
 impl Format {
@@ -96,12 +94,6 @@ impl Format {
     #[must_use]
     pub fn hungarian(self) -> &'static str {
         self.row().hungarian
-    }
-
-    /// The programs that read or write it; the first one is the one to open it with.
-    #[must_use]
-    pub fn programs(self) -> &'static [&'static str] {
-        self.row().programs
     }
 
     /// The format of a file by its name (`A.IP2`, `curves/a.ip2`); the case does not matter.

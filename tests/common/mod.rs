@@ -8,11 +8,12 @@ pub(crate) mod reference;
 pub(crate) mod shelf;
 
 use grafika::figure::screen_png;
-use grafika::launch::Program;
+use grafika::file::Document;
 use grafika::machine::{
-    Machine, Memory, Outlet, Script, Session, Settings, Storage, StorageError, StorageProblem, play,
+    Language, Machine, Memory, Outlet, Script, Session, Settings, Storage, StorageError, StorageProblem, play,
 };
 use grafika::screen::Screen;
+use grafika::ui::Program;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -51,8 +52,14 @@ impl Outlet for Kept {
 
 /// Starts a program on a storage, without a file.
 pub(crate) fn session(program: Program, storage: impl Storage + 'static, settings: Settings) -> Session {
-    let machine = Machine::new(Box::new(storage), settings);
-    Session::start(machine, move |mut machine| async move { (program.run)(&mut machine, None).await })
+    session_on(program, Machine::new(Box::new(storage), settings), None)
+}
+
+/// Starts a program on a machine with a document that it can work with.
+pub(crate) fn session_on(program: Program, machine: Machine, document: Option<Document>) -> Session {
+    let start =
+        (program.start)(document).unwrap_or_else(|problem| panic!("{}", problem.of(Language::English)));
+    Session::start(machine, move |mut machine| async move { start(&mut machine).await })
 }
 
 /// Plays a script with a program in memory and returns what it wrote.

@@ -1,10 +1,10 @@
 //! Random events: what nobody would type, a hundred thousand times.
 
 use super::{Kept, session};
-use grafika::launch::Program;
 use grafika::machine::{
     Button, Event, FRAMES_PER_SECOND, Key, Memory, Recorder, Script, Session, Settings, play,
 };
+use grafika::ui::Program;
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::rc::Rc;

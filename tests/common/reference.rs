@@ -1,7 +1,7 @@
 //! The screens of the original programs: every script in `tests/reference` gives its picture.
 
 use super::{path, pictures, play_script, storage};
-use grafika::launch::Program;
+use grafika::ui::Program;
 
 /// The least part of all pixels that must agree with a screen of the original. Its letters are of
 /// another face, which alone is some 0.3 %.

@@ -18,7 +18,7 @@ use crate::machine::{Event, Key, Machine, Quit, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{
-    Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Over, Stay, TOP, Typed, Words, page, window,
+    Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Over, Start, Stay, TOP, Typed, Words, page, window,
 };
 use coefficient::{Coefficient, Column};
 use fitting::Target;
@@ -73,6 +73,15 @@ pub const KEYS: &[KeyHelp] = &[
     SAVE,
     UNDO,
 ];
+
+/// Makes the editor ready as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn start(manual: Manual, document: Option<Document>) -> Result<Start, Phrase> {
+    document.as_ref().map_or(Ok(()), check)?;
+    Ok(Box::new(move |machine| Box::pin(run(machine, manual, document))))
+}
 
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///

@@ -24,7 +24,7 @@ use crate::file::{Document, FileKind, Format};
 use crate::geometry::Point;
 use crate::machine::{Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{Desk, KeyHelp, Stay, Words};
+use crate::ui::{self, Desk, KeyHelp, Stay, Words};
 use inspect::{Inspection, Section};
 use map::Map;
 use model::{Index, Model, Part};
@@ -139,6 +139,15 @@ pub const FINER_KEYS: &[KeyHelp] = &[
     CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, INSPECT, SECTION, MIRROR,
     REFINE, SAVE, UNDO,
 ];
+
+/// Makes the editor ready as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn start(plan: &'static Plan, document: Option<Document>) -> Result<ui::Start, Phrase> {
+    document.as_ref().map_or(Ok(()), |document| check(plan, document))?;
+    Ok(Box::new(move |machine| Box::pin(run(machine, *plan, document))))
+}
 
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///

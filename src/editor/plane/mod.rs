@@ -30,7 +30,7 @@ use crate::file::{Document, Format};
 use crate::geometry::{Closure, Point};
 use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{Desk, Manual, Stay, Words};
+use crate::ui::{Desk, Manual, Start, Stay, Words};
 use curves::Kind;
 use layout::{STORE_AT, to_field, to_screen};
 use serde::Serialize;
@@ -92,6 +92,15 @@ struct Model {
     visible: bool,
     compared: Vec<Kind>,
     unsaved: bool,
+}
+
+/// Makes the editor ready as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn start(manual: Manual, tools: Tools, document: Option<Document>) -> Result<Start, Phrase> {
+    document.as_ref().map_or(Ok(()), check)?;
+    Ok(Box::new(move |machine| Box::pin(run(machine, manual, tools, document))))
 }
 
 /// Runs the editor as a program, with a document that was named at the start or none.

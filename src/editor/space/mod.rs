@@ -17,7 +17,7 @@ use crate::file::{Document, Format, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point, Shape};
 use crate::machine::{Key, Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{self, Desk, KeyHelp, Manual, Words};
+use crate::ui::{self, Desk, KeyHelp, Manual, Start, Words};
 use serde::Serialize;
 
 /// The control points of a curve in space.
@@ -89,6 +89,15 @@ pub const BETA_KEYS: &[KeyHelp] = &[
     INSERT, CHANGE, DELETE, SHAPE, FORM, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, SAVE,
     UNDO,
 ];
+
+/// Makes the editor ready as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn start(manual: Manual, tools: Tools, document: Option<Document>) -> Result<Start, Phrase> {
+    document.as_ref().map_or(Ok(()), check)?;
+    Ok(Box::new(move |machine| Box::pin(run(machine, manual, tools, document))))
+}
 
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
@@ -188,7 +197,7 @@ impl Editor {
         Editor {
             tools,
             history: History::new(Drawing::default()),
-            viewer: Viewer::new(start()),
+            viewer: Viewer::new(first_look()),
             shown: Shown::default(),
             shape: Shape::default(),
             held: None,
@@ -201,7 +210,7 @@ impl Editor {
     /// Takes up a drawing that needs no saving, and looks at it as at the start.
     fn load(&mut self, drawing: Drawing) {
         self.history = History::new(drawing);
-        self.viewer = Viewer::new(start());
+        self.viewer = Viewer::new(first_look());
         self.shown.take(None);
         self.held = None;
         self.pointed_out = None;
@@ -249,6 +258,6 @@ impl Editor {
 }
 
 /// The look at every new configuration.
-fn start() -> Look {
+fn first_look() -> Look {
     Look::new(SPACE_VIEW, Poles::Stop)
 }

@@ -1,18 +1,18 @@
 //! `grafika install` and `telepit`: the page where there is a terminal, a plain command where groups are given.
 
+use super::progress::Bar;
+use super::{DisplayKind, Failure, RunOptions, has_terminal, progress, write_output};
+use crate::machine::Language;
+use crate::programs::groups::GROUPS;
 #[cfg(feature = "terminal")]
-use super::installer::End;
-use super::installer::Installer;
-use super::job::{Answer, Job, Outcome, Step};
-use super::plan::{Plan, System};
-use super::{PROGRAM, place, texts};
-use crate::groups::{GROUPS, Group};
+use crate::programs::telepit::installer::End;
+use crate::programs::telepit::installer::Installer;
+use crate::programs::telepit::job::{Answer, Job, Outcome, Step};
+use crate::programs::telepit::plan::{Plan, System};
+use crate::programs::telepit::{PROGRAM, place, texts};
+use crate::ui::{Group, Words};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use grafika::launch::progress::Bar;
-use grafika::launch::{Failure, RunOptions, has_terminal, progress, write_output};
-use grafika::machine::Language;
-use grafika::ui::Words;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,7 @@ const ALL: &str = "all";
 
 /// The command line of `grafika install` and of `telepit`.
 #[derive(Args)]
-pub(crate) struct Install {
+pub struct Install {
     /// Folder to install into, which need not be there [default: grafika in your home folder]
     #[arg(value_name = "DIR")]
     folder: Option<PathBuf>,
@@ -35,26 +35,28 @@ pub(crate) struct Install {
     run: RunOptions,
 }
 
-/// Examples of the command line under a name.
-pub(crate) fn examples(name: &str) -> String {
-    format!(
-        "Examples:\n  {name}\n  {name} ~/grafika\n  {name} grafika --groups gb_2d,jatek\n  {name} grafika --groups all --yes"
-    )
-}
-
 fn group_names() -> PossibleValuesParser {
     PossibleValuesParser::new([ALL].into_iter().chain(GROUPS.iter().map(|group| group.id)))
 }
 
 impl Install {
+    /// Examples of the command line under a name.
+    pub fn examples(name: &str) -> String {
+        format!(
+            "Examples:\n  {name}\n  {name} ~/grafika\n  {name} grafika --groups gb_2d,jatek\n  {name} grafika --groups all --yes"
+        )
+    }
+
     /// The installer's page with some options.
-    #[allow(dead_code, reason = "the menu starts it so")]
-    pub(crate) fn shown(run: RunOptions) -> Install {
+    pub(super) fn shown(run: RunOptions) -> Install {
         Install { folder: None, groups: Vec::new(), yes: false, run }
     }
 
     /// Installs.
-    pub(crate) fn run(&self) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// [`Failure`] when the command line is wrong, or a file cannot be written.
+    pub fn run(&self) -> Result<(), Failure> {
         if !self.groups.is_empty() {
             return self.plainly();
         }
@@ -83,7 +85,7 @@ impl Install {
     #[cfg(feature = "terminal")]
     fn in_terminal(&self) -> Result<(), Failure> {
         let mut installer = self.installer();
-        grafika::textmode::in_terminal(&mut installer).map_err(Failure::work)?;
+        crate::textmode::in_terminal(&mut installer).map_err(Failure::work)?;
         match installer.end() {
             End::Left | End::Installed => Ok(()),
             End::Cancelled => Err(Failure::work("cancelled")),
@@ -100,7 +102,7 @@ impl Install {
     fn chosen(&self) -> Vec<&'static Group> {
         let named = |group: &&Group| self.groups.iter().any(|name| name.eq_ignore_ascii_case(group.id));
         let all = self.groups.iter().any(|name| name.eq_ignore_ascii_case(ALL));
-        GROUPS.iter().filter(|group| all || named(group)).collect()
+        GROUPS.into_iter().filter(|group| all || named(group)).collect()
     }
 
     /// Installs without any page: a line for each file.
@@ -135,8 +137,8 @@ impl Install {
     }
 }
 
-fn is_picture(display: grafika::launch::DisplayKind) -> bool {
-    display != grafika::launch::DisplayKind::Terminal
+fn is_picture(display: DisplayKind) -> bool {
+    display != DisplayKind::Terminal
 }
 
 fn tell(bar: &Bar, path: &Path, outcome: Outcome, language: Language) -> Result<(), Failure> {
@@ -179,7 +181,7 @@ fn ask(path: &Path, language: Language) -> Option<Answer> {
 }
 
 #[cfg(feature = "terminal")]
-use grafika::machine::terminal::Signals;
+use crate::machine::terminal::Signals;
 
 /// Without the terminal's libraries a signal ends the process at once.
 #[cfg(not(feature = "terminal"))]

@@ -1,11 +1,10 @@
 //! The small pictures of the programs. Behind each the program itself runs, on a machine of its own without
 //! files and without a clock but the menu's.
 
-use super::demo::Demo;
-use grafika::file::{Document, Format};
-use grafika::launch::Program;
-use grafika::machine::{Event, Key, Language, Machine, Memory, Script, Session, Settings, Storage, play};
-use grafika::screen::{Color, HEIGHT, Screen, WIDTH};
+use crate::file::{Document, Format};
+use crate::machine::{Event, Key, Language, Machine, Memory, Script, Session, Settings, Storage, play};
+use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use crate::ui::Program;
 use std::time::Duration;
 
 /// Pixels of the screen, along a side, that a pixel of the small picture stands for.
@@ -25,20 +24,25 @@ pub(super) struct Preview {
 impl Preview {
     /// Starts a program and leads it to its picture. What a script cannot do is left out: there is a
     /// picture in any case.
-    pub(super) fn new(program: &Program, demo: Option<&Demo>, language: Language) -> Preview {
+    pub(super) fn new(program: &Program, language: Language) -> Preview {
         let storage = Memory::default();
-        let document = demo.and_then(|demo| {
+        let demo = program.demo;
+        let document = Format::from_name(demo.file).and_then(|format| {
             let content = storage.read(demo.file).ok()?;
-            Document::read(Format::from_name(demo.file)?, &content).ok()
+            Document::read(format, &content).ok()
         });
         let machine = Machine::new(Box::new(storage), Settings { language, ..Settings::default() });
-        let run = program.run;
-        let mut session =
-            Session::start(machine, move |mut machine| async move { run(&mut machine, document).await });
-        let script = Script::parse(demo.map_or("", |demo| demo.script)).unwrap_or_default();
+        let start = (program.start)(document);
+        let mut session = Session::start(machine, move |mut machine| async move {
+            match start {
+                Ok(start) => start(&mut machine).await,
+                Err(_) => Ok(()),
+            }
+        });
+        let script = Script::parse(demo.script).unwrap_or_default();
         let _ = play(&mut session, &script, &mut ());
         let pixels = small(&session.screen());
-        Preview { session, now: Duration::ZERO, motion: demo.and_then(|demo| demo.motion), pixels }
+        Preview { session, now: Duration::ZERO, motion: demo.motion, pixels }
     }
 
     /// Whether its picture changes by itself.

@@ -1,70 +1,8 @@
 //! `grafika`: the menu and the command line over all programs.
 
-#[path = "../biliard.rs"]
-mod biliard;
-#[path = "../csango_k.rs"]
-mod csango_k;
-#[path = "../csav_gy.rs"]
-mod csav_gy;
-#[path = "../eg_kz_k.rs"]
-mod eg_kz_k;
-#[path = "../f_em_spl.rs"]
-mod f_em_spl;
-#[path = "../f_p_bets.rs"]
-mod f_p_bets;
-#[path = "../f_p_bezr.rs"]
-mod f_p_bezr;
-#[path = "../f_p_bspl.rs"]
-mod f_p_bspl;
-#[path = "../f_p_herm.rs"]
-mod f_p_herm;
-#[path = "../f_p_hspl.rs"]
-mod f_p_hspl;
-#[path = "../f_p_spln.rs"]
-mod f_p_spln;
-#[path = "../gb_2d_bt.rs"]
-mod gb_2d_bt;
-#[path = "../gb_2d_ch.rs"]
-mod gb_2d_ch;
-#[path = "../gb_2d_ip.rs"]
-mod gb_2d_ip;
-#[path = "../gb_3d_bt.rs"]
-mod gb_3d_bt;
-#[path = "../gb_3d_ip.rs"]
-mod gb_3d_ip;
-#[path = "../gb_p_2d.rs"]
-mod gb_p_2d;
-#[path = "../gr_kz_o.rs"]
-mod gr_kz_o;
-#[path = "../gr_kz_x.rs"]
-mod gr_kz_x;
-#[path = "../gyongy_k.rs"]
-mod gyongy_k;
-#[path = "../telepit.rs"]
-mod telepit;
-#[path = "../vjs.rs"]
-mod vjs;
-#[path = "../zm_betsp.rs"]
-mod zm_betsp;
-#[path = "../zm_bspl.rs"]
-mod zm_bspl;
-#[path = "../zm_hspl.rs"]
-mod zm_hspl;
-#[path = "../zm_spln.rs"]
-mod zm_spln;
-#[path = "../zy_betsp.rs"]
-mod zy_betsp;
-#[path = "../zy_bspl.rs"]
-mod zy_bspl;
-#[path = "../zy_hspl.rs"]
-mod zy_hspl;
-#[path = "../zy_spln.rs"]
-mod zy_spln;
-
 mod config;
 mod convert;
 mod curve;
-mod menu;
 mod reference;
 mod render;
 mod sample;
@@ -72,52 +10,18 @@ mod smooth;
 mod solve;
 mod source;
 mod surface;
-#[cfg(feature = "terminal")]
-mod terminal_menu;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Options, Program, RunOptions, exit, write_output};
+use grafika::launch::{Failure, Install, Options, RunOptions, exit, write_output};
+use grafika::programs::{self, ALL};
+#[cfg(feature = "terminal")]
+use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_terminal};
 use source::Source;
 use std::ffi::OsString;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::ExitCode;
-use telepit::groups;
-
-/// Every program, in the order of the book.
-const PROGRAMS: &[Program] = &[
-    gr_kz_x::PROGRAM,
-    gr_kz_o::PROGRAM,
-    eg_kz_k::PROGRAM,
-    vjs::PROGRAM,
-    gb_p_2d::PROGRAM,
-    gb_2d_ch::PROGRAM,
-    gb_2d_ip::PROGRAM,
-    gb_2d_bt::PROGRAM,
-    gb_3d_ip::PROGRAM,
-    gb_3d_bt::PROGRAM,
-    csav_gy::PROGRAM,
-    f_p_herm::PROGRAM,
-    f_p_spln::PROGRAM,
-    f_em_spl::PROGRAM,
-    f_p_bezr::PROGRAM,
-    f_p_bspl::PROGRAM,
-    f_p_bets::PROGRAM,
-    f_p_hspl::PROGRAM,
-    zm_spln::PROGRAM,
-    zm_bspl::PROGRAM,
-    zm_betsp::PROGRAM,
-    zm_hspl::PROGRAM,
-    zy_spln::PROGRAM,
-    zy_bspl::PROGRAM,
-    zy_betsp::PROGRAM,
-    zy_hspl::PROGRAM,
-    biliard::PROGRAM,
-    gyongy_k::PROGRAM,
-    csango_k::PROGRAM,
-    telepit::PROGRAM,
-];
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
 #[derive(Parser)]
@@ -165,8 +69,8 @@ enum Command {
     /// Tell the moves that finish a puzzle, or count the ways
     Solve(solve::Solve),
     /// Install programs with their samples into a folder, on a page of text or as a plain command
-    #[command(after_help = telepit::examples("grafika install"))]
-    Install(telepit::Install),
+    #[command(after_help = Install::examples("grafika install"))]
+    Install(Install),
     /// Write completions of the command line for a shell
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(reference::Completions),
@@ -216,23 +120,31 @@ fn show_menu(options: &RunOptions) -> Result<(), Failure> {
     let options = &options.preferred();
     #[cfg(feature = "terminal")]
     if grafika::launch::in_terminal(options) {
-        return terminal_menu::run(options, &|program, options| match program.manual.name {
-            "telepit" => telepit::Install::shown(options).run(),
-            _ => program.start(&options.with_file(None)),
-        });
+        return show_text_menu(options);
     }
-    menu::MENU.start(&options.with_file(None))
+    programs::menu::PROGRAM.visit(options.clone())
+}
+
+/// Shows the menu as a page of text, and the programs that are started from it, until it is left.
+#[cfg(feature = "terminal")]
+fn show_text_menu(options: &RunOptions) -> Result<(), Failure> {
+    let mut menu = TextMenu::new(options.language());
+    loop {
+        in_terminal(&mut menu).map_err(Failure::work)?;
+        let Some(program) = menu.take_started() else { return Ok(()) };
+        let mut options = options.in_language(menu.language());
+        options.display = Some(DisplayKind::Terminal);
+        if let Err(failure) = program.visit(options) {
+            menu.tell(failure.to_string());
+        }
+    }
 }
 
 /// Starts the program that a data file belongs to.
 fn open_with_program(options: &Options) -> Result<(), Failure> {
     let Some(file) = &options.file else { return show_menu(&options.run) };
     let format = grafika::launch::open(file)?.document.format();
-    let belongs = |program: &&Program| {
-        let first = format.programs().first();
-        first.is_some_and(|name| name.eq_ignore_ascii_case(program.manual.name))
-    };
-    match PROGRAMS.iter().find(belongs) {
+    match programs::of_format(format) {
         Some(program) => program.start(options),
         None => Err(Failure::work(format!("{}: no program opens {}", file.display(), format.english()))),
     }
@@ -242,24 +154,16 @@ fn open_with_program(options: &Options) -> Result<(), Failure> {
 fn linked_name() -> Option<Vec<OsString>> {
     let words: Vec<OsString> = std::env::args_os().collect();
     let name = Path::new(words.first()?).file_stem()?.to_string_lossy().to_lowercase();
-    PROGRAMS.iter().any(|program| program.manual.name == name).then(|| {
+    programs::by_name(&name).map(|_| {
         // The name, for messages, without the folders before it.
         [OsString::from(name)].into_iter().chain(words.into_iter().skip(1)).collect()
     })
 }
 
-/// The command line of a program.
-fn command_of(program: &Program) -> clap::Command {
-    match program.manual.name {
-        "telepit" => telepit::described(),
-        _ => program.command(),
-    }
-}
-
 /// Every program with a line about it.
 fn list() -> String {
     let mut text = String::new();
-    for program in PROGRAMS {
+    for program in ALL {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1);
     }
@@ -269,11 +173,10 @@ fn list() -> String {
 /// Starts the program that the first word names, in whatever case, with the rest as its command line.
 fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
     let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match PROGRAMS.iter().find(|program| program.manual.name == name) {
-        Some(program) if program.manual.name == "telepit" => telepit::start_from(words),
+    match programs::by_name(&name) {
         Some(program) => program.start_from(words),
         None => {
-            let programs: Vec<&str> = PROGRAMS.iter().map(|program| program.manual.name).collect();
+            let programs: Vec<&str> = ALL.iter().map(|program| program.manual.name).collect();
             let known = Cli::command();
             let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
             let message = format!(
@@ -283,23 +186,5 @@ fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
             );
             Err(Cli::command().error(ErrorKind::InvalidSubcommand, message).into())
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use groups::GROUPS;
-
-    #[test]
-    fn every_program_is_in_one_group() {
-        let grouped: Vec<&str> = GROUPS.iter().flat_map(|group| group.programs.iter().copied()).collect();
-        for program in PROGRAMS {
-            let name = program.manual.name;
-            assert_eq!(grouped.iter().filter(|known| **known == name).count(), 1, "{name}");
-            let group = GROUPS.iter().find(|group| group.programs.contains(&name)).expect("just counted");
-            assert!(program.chapter.starts_with(group.chapter), "{name}: {}", program.chapter);
-        }
-        assert_eq!(grouped.len(), PROGRAMS.len());
     }
 }

@@ -1,16 +1,15 @@
 //! The menu: the programs by groups, each with a line about it and a small picture in which it runs; started
 //! with Enter or a click, found by typing.
 
-mod demo;
 mod layout;
 mod preview;
+#[cfg(feature = "native")]
+pub mod text;
 
-use crate::PROGRAMS;
-use demo::DEMOS;
-use grafika::launch::Program;
-use grafika::machine::{Key, Language, Machine, Quit, Tick};
-use grafika::screen::{Color, Direction, Screen};
-use grafika::ui::{Area, Desk, Manual, Picture, Words, sunken};
+use super::ALL;
+use crate::machine::{Key, Language, Machine, Quit, Tick};
+use crate::screen::{Color, Direction, Screen};
+use crate::ui::{Area, CommandLine, Demo, Desk, Manual, Picture, Program, Words, sunken, without_document};
 use layout::{Line, lines, picture_area};
 use preview::Preview;
 use std::collections::BTreeMap;
@@ -33,8 +32,15 @@ const MANUAL: Manual = Manual {
 };
 
 /// The menu as a program.
-pub(crate) const MENU: Program =
-    Program { manual: MANUAL, chapter: "5", run: |machine, _| Box::pin(run(machine)), check: |_| Ok(()) };
+pub const PROGRAM: Program = Program {
+    manual: MANUAL,
+    chapter: "5",
+    group: &super::groups::INSTALLER,
+    opens: &[],
+    demo: Demo { file: "", script: "", motion: None },
+    start: |document| without_document(document, |machine| Box::pin(run(machine))),
+    command_line: CommandLine::Usual,
+};
 
 /// The time between two pictures of the chosen program.
 const STEP: Duration = Duration::from_millis(50);
@@ -61,7 +67,7 @@ enum Next {
 impl Menu {
     /// Whether a program has what is searched for.
     fn finds(&self, index: usize) -> bool {
-        let Some(program) = PROGRAMS.get(index) else { return false };
+        let Some(program) = ALL.get(index) else { return false };
         let Words(hungarian, english) = program.manual.about;
         [program.manual.name, hungarian, english].iter().any(|text| plain(text).contains(&self.search))
     }
@@ -79,11 +85,10 @@ impl Menu {
 
     /// Chooses a program of the next or the previous group.
     fn step_group(&mut self, forward: bool) {
-        let folder = |index: usize| layout::group(index).map(|group| group.folder);
-        let group = folder(self.chosen);
-        for _ in 0..PROGRAMS.len() {
+        let group = layout::group(self.chosen);
+        for _ in 0..ALL.len() {
             self.step(forward);
-            if folder(self.chosen) != group {
+            if layout::group(self.chosen) != group {
                 return;
             }
         }
@@ -148,9 +153,8 @@ impl Menu {
 
     /// Makes one small picture.
     fn make(&mut self, index: usize, language: Language) {
-        let Some(program) = PROGRAMS.get(index) else { return };
-        let demo = DEMOS.iter().find(|demo| demo.name == program.manual.name);
-        self.previews.insert(index, Preview::new(program, demo, language));
+        let Some(program) = ALL.get(index) else { return };
+        self.previews.insert(index, Preview::new(program, language));
     }
 }
 
@@ -182,7 +186,7 @@ impl Picture for Menu {
         }
         let shown = layout::group(self.chosen).into_iter().flat_map(layout::programs);
         shown.enumerate().for_each(|(at, index)| self.draw_preview(screen, picture_area(at), index));
-        if let Some(program) = PROGRAMS.get(self.chosen) {
+        if let Some(program) = ALL.get(self.chosen) {
             screen.text(layout::LEFT, 436, program.manual.about.of(language), Color::White);
         }
         match self.search.as_str() {
@@ -203,7 +207,7 @@ impl Picture for Menu {
 
 impl Menu {
     fn draw_line(&self, screen: &mut Screen, area: Area, index: usize) {
-        let Some(program) = PROGRAMS.get(index) else { return };
+        let Some(program) = ALL.get(index) else { return };
         let ink = match (index == self.chosen, self.finds(index)) {
             (true, _) => {
                 screen.bar(area.x1, area.y1, area.x2, area.y2, Color::Cyan);
@@ -216,14 +220,14 @@ impl Menu {
     }
 
     fn draw_preview(&self, screen: &mut Screen, area: Area, index: usize) {
-        let Some(program) = PROGRAMS.get(index) else { return };
+        let Some(program) = ALL.get(index) else { return };
         let ink = if index == self.chosen { Color::Yellow } else { Color::LightGray };
         screen.rectangle(
             area.x1 - 1,
             area.y1 - 1,
             area.x2 + 1,
             area.y2 + 1,
-            grafika::screen::Stroke::thin(ink),
+            crate::screen::Stroke::thin(ink),
         );
         if let Some(preview) = self.previews.get(&index) {
             preview.draw(screen, (area.x1, area.y1));
@@ -250,10 +254,11 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
                 Next::Stay => {}
                 Next::End => return Ok(()),
                 Next::Start => {
-                    let program = PROGRAMS.get(menu.chosen).ok_or(Quit)?;
+                    let program = ALL.get(menu.chosen).ok_or(Quit)?;
+                    let Ok(start) = (program.start)(None) else { continue };
                     desk.machine.set_file(None);
                     desk.machine.invite();
-                    let ended = (program.run)(desk.machine, None).await;
+                    let ended = start(desk.machine).await;
                     // Esc brings back here; the close button closes the menu too.
                     if !desk.machine.see_off() {
                         ended?;

@@ -1,14 +1,10 @@
 //! The menu in the terminal: the programs by groups on a page of text, found by typing, started where it stands.
 
-use crate::PROGRAMS;
-use crate::groups::{GROUPS, Group};
-use grafika::file::Format;
-use grafika::launch::{DisplayKind, Failure, Program, RunOptions};
-use grafika::machine::{Key, Language};
-use grafika::textmode::{
-    Doing, Hit, Overlay, Page, Row, Summary, TextEvent, TextProgram, chosen_after, in_terminal,
-};
-use grafika::ui::Words;
+use crate::file::Format;
+use crate::machine::{Key, Language, SAMPLES};
+use crate::programs::groups::GROUPS;
+use crate::textmode::{Doing, Hit, Overlay, Page, Row, Summary, TextEvent, TextProgram, chosen_after};
+use crate::ui::{Group, Program, Words};
 
 const TITLE: Words = Words(
     "GRAFIKA - Füzi János: Interaktív grafika (1997)",
@@ -24,31 +20,14 @@ const KEYS: [(Key, Words, Words); 4] = [
     (Key::Esc, Words("Esc", "Esc"), Words("vége", "end")),
 ];
 
-/// Shows the menu, and the programs that are started from it, until it is left.
-pub(crate) fn run(
-    options: &RunOptions,
-    start: &dyn Fn(&Program, RunOptions) -> Result<(), Failure>,
-) -> Result<(), Failure> {
-    let mut menu = Menu::new(options.language());
-    loop {
-        in_terminal(&mut menu).map_err(Failure::work)?;
-        let Some(program) = menu.started.take() else { return Ok(()) };
-        let mut options = options.in_language(menu.language);
-        options.display = Some(DisplayKind::Terminal);
-        if let Err(failure) = start(program, options) {
-            menu.message = Some(failure.to_string());
-        }
-    }
-}
-
 /// A line of the list, with what it stands for.
 enum Entry {
     Group(&'static Group),
     Program(&'static Program),
 }
 
-/// The menu.
-struct Menu {
+/// The menu as a page of text.
+pub struct TextMenu {
     language: Language,
     entries: Vec<Entry>,
     chosen: usize,
@@ -59,16 +38,37 @@ struct Menu {
     message: Option<String>,
 }
 
-impl Menu {
-    fn new(language: Language) -> Menu {
+impl TextMenu {
+    /// The menu in a language, with its first program chosen.
+    pub fn new(language: Language) -> TextMenu {
         let of_group = |group: &'static Group| {
-            let programs = group.programs.iter();
-            let programs =
-                programs.filter_map(|name| PROGRAMS.iter().find(|program| program.manual.name == *name));
-            [Entry::Group(group)].into_iter().chain(programs.map(Entry::Program))
+            [Entry::Group(group)].into_iter().chain(group.programs().map(Entry::Program))
         };
-        let entries = GROUPS.iter().flat_map(of_group).collect();
-        Menu { language, entries, chosen: 1, typed: String::new(), started: None, left: false, message: None }
+        let entries = GROUPS.into_iter().flat_map(of_group).collect();
+        TextMenu {
+            language,
+            entries,
+            chosen: 1,
+            typed: String::new(),
+            started: None,
+            left: false,
+            message: None,
+        }
+    }
+
+    /// The program that the user has chosen to start, once.
+    pub fn take_started(&mut self) -> Option<&'static Program> {
+        self.started.take()
+    }
+
+    /// The language that the user has chosen.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
+    /// Says at the next page why a program failed.
+    pub fn tell(&mut self, message: String) {
+        self.message = Some(message);
     }
 
     fn program(&self) -> Option<&'static Program> {
@@ -93,7 +93,8 @@ impl Menu {
         let of = |words: Words| words.of(self.language);
         let mut lines = vec![of(program.manual.about).to_owned(), String::new()];
         lines.push(format!("{}: {}", of(Words("Fejezet", "Chapter")), program.chapter));
-        let samples = samples(program.manual.name);
+        let opens = |name: &&str| Format::from_name(name).is_some_and(|it| program.opens.contains(&it));
+        let samples: Vec<&str> = SAMPLES.iter().map(|(name, _)| *name).filter(opens).collect();
         if !samples.is_empty() {
             lines.push(format!("{}: {}", of(Words("Példák", "Samples")), samples.join(" ")));
         }
@@ -148,15 +149,6 @@ impl Menu {
     }
 }
 
-/// The built-in samples that a program opens.
-fn samples(program: &str) -> Vec<&'static str> {
-    let opens = |name: &&str| {
-        let readers = Format::from_name(name).map(Format::programs).unwrap_or_default();
-        readers.iter().any(|reader| reader.eq_ignore_ascii_case(program))
-    };
-    grafika::machine::SAMPLES.iter().map(|(name, _)| *name).filter(opens).collect()
-}
-
 /// Small letters without their accents, so that a search needs no Hungarian keyboard.
 fn folded(text: &str) -> String {
     let plain = |letter: char| match letter {
@@ -170,7 +162,7 @@ fn folded(text: &str) -> String {
     text.to_lowercase().chars().map(plain).collect()
 }
 
-impl TextProgram for Menu {
+impl TextProgram for TextMenu {
     fn page(&self) -> Page {
         let language = self.language;
         let list = LIST.of(language);
@@ -229,30 +221,30 @@ impl TextProgram for Menu {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::telepit::golden::assert_golden;
+    use crate::programs::telepit::golden::assert_golden;
 
-    fn type_into(menu: &mut Menu, text: &str) {
+    fn type_into(menu: &mut TextMenu, text: &str) {
         for letter in text.chars() {
             menu.event(TextEvent::Key(Key::Char(letter)));
         }
     }
 
-    fn chosen(menu: &Menu) -> &'static str {
+    fn chosen(menu: &TextMenu) -> &'static str {
         menu.program().map(|program| program.manual.name).unwrap_or_default()
     }
 
     #[test]
     fn every_program_can_be_chosen_and_started() {
-        let mut menu = Menu::new(Language::English);
+        let mut menu = TextMenu::new(Language::English);
         let mut seen = Vec::new();
-        for _ in PROGRAMS {
+        for _ in crate::programs::ALL {
             seen.push(chosen(&menu));
             assert!(!menu.page().summary.lines.is_empty());
             menu.event(TextEvent::Key(Key::Down));
         }
         seen.sort_unstable();
         seen.dedup();
-        assert_eq!(seen.len(), PROGRAMS.len());
+        assert_eq!(seen.len(), crate::programs::ALL.len());
         menu.event(TextEvent::Key(Key::Enter));
         assert_eq!(menu.doing(), Doing::Ended);
         assert_eq!(menu.started.map(|program| program.manual.name), Some("telepit"));
@@ -261,7 +253,7 @@ mod tests {
     #[test]
     fn the_page_looks_as_it_did() {
         for (language, code) in [(Language::Hungarian, "hu"), (Language::English, "en")] {
-            let mut menu = Menu::new(language);
+            let mut menu = TextMenu::new(language);
             type_into(&mut menu, "zm");
             assert_golden(&menu.page(), &format!("terminal_menu_{code}.txt"));
         }
@@ -269,7 +261,7 @@ mod tests {
 
     #[test]
     fn typing_finds_names_and_lines() {
-        let mut menu = Menu::new(Language::Hungarian);
+        let mut menu = TextMenu::new(Language::Hungarian);
         type_into(&mut menu, "GB_3");
         assert_eq!(chosen(&menu), "gb_3d_ip");
         menu.event(TextEvent::Key(Key::Esc));
@@ -289,7 +281,8 @@ mod tests {
 
     #[test]
     fn a_message_waits_to_be_read() {
-        let mut menu = Menu { message: Some("what went wrong".into()), ..Menu::new(Language::English) };
+        let mut menu =
+            TextMenu { message: Some("what went wrong".into()), ..TextMenu::new(Language::English) };
         menu.event(TextEvent::Click(Hit::Row(3)));
         assert!(menu.page().overlay.is_some());
         menu.event(TextEvent::Key(Key::Enter));

@@ -1,9 +1,9 @@
 //! Where the menu has its lines and pictures.
 
 use super::preview::SMALL;
-use crate::PROGRAMS;
-use crate::groups::{GROUPS, Group};
-use grafika::ui::Area;
+use crate::programs::ALL;
+use crate::programs::groups::GROUPS;
+use crate::ui::{Area, Group};
 
 /// Left edge of the list and of the lines below.
 pub(super) const LEFT: i32 = 24;
@@ -30,26 +30,24 @@ pub(super) enum Line {
 /// The lines of the list and where they stand.
 pub(super) fn lines() -> impl Iterator<Item = (Area, Line)> {
     let all = GROUPS
-        .iter()
+        .into_iter()
         .flat_map(|group| std::iter::once(Line::Group(group)).chain(programs(group).map(Line::Program)));
     (TOP..).step_by(LINE as usize).zip(all).map(|(y, line)| (Area::new(LEFT, y, RIGHT, y + LINE - 1), line))
 }
 
 /// The numbers of a group's programs.
 pub(super) fn programs(group: &'static Group) -> impl Iterator<Item = usize> {
-    let number = |name: &&str| PROGRAMS.iter().position(|program| program.manual.name == *name);
-    group.programs.iter().filter_map(number)
+    (0..).zip(ALL).filter(move |(_, program)| program.group == group).map(|(index, _)| index)
 }
 
 /// The numbers of all programs, in the order of the list.
 pub(super) fn order() -> impl Iterator<Item = usize> {
-    GROUPS.iter().flat_map(programs)
+    GROUPS.into_iter().flat_map(programs)
 }
 
 /// The group of a program.
 pub(super) fn group(index: usize) -> Option<&'static Group> {
-    let name = PROGRAMS.get(index)?.manual.name;
-    GROUPS.iter().find(|group| group.programs.contains(&name))
+    ALL.get(index).map(|program| program.group)
 }
 
 /// Where the picture of a group's program stands, by its place in the group.
@@ -62,7 +60,7 @@ pub(super) fn picture_area(at: usize) -> Area {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grafika::ui::Words;
+    use crate::ui::Words;
 
     #[test]
     fn everything_fits_into_the_menu() {
@@ -75,7 +73,7 @@ mod tests {
             let area = picture_area(programs(group).count().saturating_sub(1));
             assert!(area.x2 < 616 && area.y2 < 418, "{hungarian}: {}", area.y2);
         }
-        for program in PROGRAMS {
+        for program in ALL {
             let Words(hungarian, english) = program.manual.about;
             assert!(program.manual.name.len() <= 10, "{}", program.manual.name);
             assert!(hungarian.chars().count() <= 72 && english.chars().count() <= 72, "{hungarian}");

@@ -1,13 +1,14 @@
 //! The whole command line with the programs as commands, for everything that describes it: shell completions and
 //! manual pages come from the same table that is parsed.
 
-use crate::{Cli, PROGRAMS, command_of};
+use crate::Cli;
 use clap::{Args, CommandFactory, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 use grafika::launch::{Failure, write_output};
-use grafika::ui::Manual;
+use grafika::programs::{ALL, by_name};
+use grafika::ui::{Manual, Program};
 use std::path::PathBuf;
 
 /// Shells by name.
@@ -57,7 +58,7 @@ pub(crate) struct Manuals {
 
 /// The command line of `grafika` with every program as a command.
 pub(crate) fn whole() -> clap::Command {
-    let mut whole = Cli::command().subcommands(PROGRAMS.iter().map(command_of));
+    let mut whole = Cli::command().subcommands(ALL.iter().map(Program::command));
     whole.build();
     whole
 }
@@ -68,14 +69,9 @@ impl Completions {
         let mut command = match self.program.as_deref().map(str::to_lowercase) {
             None => whole(),
             Some(name) if name == "grafika" => whole(),
-            Some(name) => {
-                let program = PROGRAMS.iter().find(|program| program.manual.name == name);
-                program.map(command_of).ok_or_else(|| {
-                    Failure::usage(format!(
-                        "there is no program {name:?}; grafika list tells which there are"
-                    ))
-                })?
-            }
+            Some(name) => by_name(&name).map(Program::command).ok_or_else(|| {
+                Failure::usage(format!("there is no program {name:?}; grafika list tells which there are"))
+            })?,
         };
         write_output(None, &completions(&mut command, self.shell))
     }
@@ -109,7 +105,7 @@ fn pages() -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let mut pages = vec![("grafika.1".to_owned(), page(&whole, None)?)];
     for command in whole.get_subcommands() {
         let name = command.get_name();
-        let program = PROGRAMS.iter().find(|program| program.manual.name == name);
+        let program = by_name(name);
         let (title, manual) = match program {
             Some(program) => (name.to_owned(), Some(program.manual)),
             None => (format!("grafika-{name}"), None),
@@ -201,10 +197,10 @@ mod tests {
         {
             assert!(seen.contains(&format!("grafika {command}")), "{command}");
         }
-        for program in PROGRAMS {
+        for program in ALL {
             let name = program.manual.name;
             assert!(seen.contains(&format!("grafika {name}")));
-            let about = command_of(program).get_about().map(ToString::to_string);
+            let about = program.command().get_about().map(ToString::to_string);
             assert_eq!(about.as_deref(), Some(program.manual.about.1), "{name}");
         }
     }
@@ -254,7 +250,7 @@ mod tests {
         };
         walk(&whole(), "grafika", &mut |command, path| {
             let name = command.get_name();
-            let is_program = PROGRAMS.iter().any(|program| program.manual.name == name);
+            let is_program = by_name(name).is_some();
             let page = match (path, is_program) {
                 ("grafika", _) => text("grafika.1"),
                 (_, true) => text(&format!("{name}.1")),
@@ -264,7 +260,7 @@ mod tests {
             for long in command.get_arguments().filter_map(clap::Arg::get_long) {
                 assert!(page.contains(&format!("--{long}")), "{path} --{long}");
             }
-            if let Some(program) = PROGRAMS.iter().find(|program| program.manual.name == name) {
+            if let Some(program) = by_name(name) {
                 assert!(page.contains("KEYS") || program.manual.keys.is_empty(), "{path}");
             }
         });

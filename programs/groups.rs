@@ -1,0 +1,148 @@
+//! The groups of the programs: the families that the menu shows together and the installer copies together.
+
+use super::ALL;
+use crate::file::Format;
+use crate::machine::SAMPLES;
+use crate::ui::{Group, Program, Words};
+
+/// Cursors.
+pub const CURSORS: Group = Group {
+    folder: "KURZOR",
+    id: "kurzor",
+    chapter: "1",
+    name: Words("Kurzorok", "Cursors"),
+    about: Words(
+        "Kurzor KIZÁRÓ VAGY és VAGY műveletekkel, az egér kurzorának két maszkja, virtuális joystick.",
+        "A cursor by exclusive-or and by or, the two masks of the mouse pointer, a virtual joystick.",
+    ),
+};
+
+/// Curves in the plane.
+pub const PLANE_CURVES: Group = Group {
+    folder: "GB_2D",
+    id: "gb_2d",
+    chapter: "2",
+    name: Words("Síkgörbék", "Plane curves"),
+    about: Words(
+        "Sima görbék kontrollpontokkal a síkban: Fourier, Coons-Hermite, Bézier, spline, B-spline, béta-spline.",
+        "Smooth curves by control points in the plane: Fourier, Coons-Hermite, Bézier, spline, B-spline, beta-spline.",
+    ),
+};
+
+/// Curves in space.
+pub const SPACE_CURVES: Group = Group {
+    folder: "GB_3D",
+    id: "gb_3d",
+    chapter: "2",
+    name: Words("Térgörbék", "Space curves"),
+    about: Words(
+        "Ugyanazok a módszerek a térben: a görbe forgatható.",
+        "The same methods in space: the curve can be turned.",
+    ),
+};
+
+/// Open surfaces.
+pub const OPEN_SURFACES: Group = Group {
+    folder: "FT_NYILT",
+    id: "ft_nyilt",
+    chapter: "3",
+    name: Words("Nyílt felületek", "Open surfaces"),
+    about: Words(
+        "Nyílt felületek kontrollhálóval: Hermite, spline, Bézier, B-spline, béta-spline, helyi spline.",
+        "Open surfaces by control nets: Hermite, spline, Bézier, B-spline, beta-spline, local spline.",
+    ),
+};
+
+/// Surfaces like a sphere.
+pub const SPHERES: Group = Group {
+    folder: "FT_GOMB",
+    id: "ft_gomb",
+    chapter: "3",
+    name: Words("Gömbszerű felületek", "Sphere surfaces"),
+    about: Words(
+        "Gömb módjára zárt felületek: spline, B-spline, béta-spline, helyi spline; kockák, oktaéder.",
+        "Surfaces closed like a sphere: spline, B-spline, beta-spline, local spline; cubes, an octahedron.",
+    ),
+};
+
+/// Surfaces like a ring.
+pub const RINGS: Group = Group {
+    folder: "FT_GYURU",
+    id: "ft_gyuru",
+    chapter: "3",
+    name: Words("Gyűrűszerű felületek", "Ring surfaces"),
+    about: Words(
+        "Gyűrű módjára zárt felületek: spline, B-spline, béta-spline, helyi spline; a csavart gyűrű.",
+        "Surfaces closed like a ring: spline, B-spline, beta-spline, local spline; the twisted ring.",
+    ),
+};
+
+/// Games and puzzles.
+pub const GAMES: Group = Group {
+    folder: "JATEK",
+    id: "jatek",
+    chapter: "4",
+    name: Words("Játékok, fejtörők", "Games and puzzles"),
+    about: Words(
+        "Biliárd rugalmas ütközésekkel, a gyöngykerék és a Csángó kocka.",
+        "Billiards with elastic hits, the bead wheel and the Csángó cube.",
+    ),
+};
+
+/// The installer.
+pub const INSTALLER: Group = Group {
+    folder: "TELEPIT",
+    id: "telepit",
+    chapter: "5",
+    name: Words("Telepítő", "Installer"),
+    about: Words(
+        "Ez a program: a kiválasztott csoportokat egy mappába telepíti.",
+        "This program: it installs the chosen groups into a folder.",
+    ),
+};
+
+/// Every group in the order of the book.
+pub const GROUPS: [&Group; 8] =
+    [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &GAMES, &INSTALLER];
+
+impl PartialEq for Group {
+    /// Groups are told apart by their folders.
+    fn eq(&self, other: &Group) -> bool {
+        self.folder == other.folder
+    }
+}
+
+impl Group {
+    /// Its programs, in the order of the book.
+    pub fn programs(&self) -> impl Iterator<Item = &'static Program> {
+        ALL.iter().filter(move |program| program.group == self)
+    }
+
+    /// The built-in samples that its programs open: name and content.
+    pub fn samples(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> + '_ {
+        let opens = |format: Format| self.programs().any(|program| program.opens.contains(&format));
+        SAMPLES.iter().copied().filter(move |(name, _)| Format::from_name(name).is_some_and(opens))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sample_is_in_one_group() {
+        let grouped: Vec<&str> =
+            GROUPS.iter().flat_map(|group| group.samples().map(|(name, _)| name)).collect();
+        assert_eq!(grouped.len(), SAMPLES.len());
+        assert!(SAMPLES.iter().all(|(name, _)| grouped.contains(name)));
+    }
+
+    #[test]
+    fn folders_are_names_of_the_disk_operating_system() {
+        for (at, group) in GROUPS.iter().enumerate() {
+            assert!((1..=8).contains(&group.folder.len()), "{}", group.folder);
+            assert_eq!(group.folder, group.id.to_ascii_uppercase());
+            assert!(GROUPS[..at].iter().all(|earlier| earlier.folder != group.folder));
+        }
+    }
+}
