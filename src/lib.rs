@@ -23,3 +23,4 @@ pub mod table;
 #[cfg(feature = "native")]
 pub mod textmode;
 pub mod ui;
+pub mod work;

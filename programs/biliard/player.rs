@@ -4,11 +4,11 @@ use super::game::Game;
 use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
-use crate::editor::{History, rescue};
 use crate::machine::{Button, Event, Key, Language, Machine, Quit, StorageProblem, Tick};
 use crate::screen::Screen;
 use crate::table::{Surface, Table};
 use crate::ui::{Answer, Desk, Manual, Phrase, Picture, Question, Stay, Way, words};
+use crate::work::{History, rescue};
 use serde::Serialize;
 use std::time::Duration;
 

@@ -6,13 +6,12 @@ use super::panel::{self, FIELD};
 use super::picture::{Scene, draw_axes};
 use super::task::{PACE, Plan, Quest, Task, Wanted};
 use super::texts;
-use crate::editor::History;
-use crate::editor::configuration::{self, Configuration, Next};
 use crate::file::{CsangoCube, Document, Format};
 use crate::machine::{Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Quit, Tick};
 use crate::puzzle::cube::{Action, Move, PIECES, Rules};
 use crate::screen::{Color, Screen};
 use crate::ui::{Desk, Manual, Phrase, Picture, Stay, Stopwatch};
+use crate::work::{self, Configuration, History, Next};
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
@@ -84,7 +83,7 @@ pub(crate) async fn run(
     document: Option<Document>,
 ) -> Result<(), Quit> {
     let player = Player::new(machine.seed());
-    configuration::run(player, &mut Desk::new(machine, manual), document).await
+    work::run(player, &mut Desk::new(machine, manual), document).await
 }
 
 impl Picture for Player {
@@ -152,7 +151,7 @@ impl Player {
     /// Waits for what happens next, with the picture up to date.
     async fn tick(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
         self.now = desk.clock();
-        configuration::keep(self, desk);
+        work::keep(self, desk);
         desk.machine.publish(self.model());
         let second = self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0);
         let tick = match (&self.task, second) {
@@ -337,7 +336,7 @@ impl Player {
             Key::Char(typed) => match (typed.to_ascii_uppercase(), typed.to_digit(10)) {
                 ('A', _) => self.select(self.selected + 1),
                 ('B', _) => self.select(self.selected + PIECES - 1),
-                ('Q', _) => return configuration::quit(self, desk).await,
+                ('Q', _) => return work::quit(self, desk).await,
                 (_, Some(digit)) => self.digit(digit as usize),
                 _ => {}
             },
@@ -450,7 +449,7 @@ impl Configuration for Player {
                 self.hand = None; // the button went up while help was read
             }
             let button = tick.click().and_then(|(x, y)| panel::key_at(x, y));
-            if configuration::common_key(self, desk, tick.key()).await? {
+            if work::common_key(self, desk, tick.key()).await? {
                 self.hinted = false;
             } else if let Some(key) = tick.key().or(button) {
                 match self.key(desk, key).await? {

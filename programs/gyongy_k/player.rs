@@ -4,8 +4,6 @@ use super::game::{Game, Problem};
 use super::picture::{BUTTONS, Board, GoingOn, View, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
-use crate::editor::History;
-use crate::editor::configuration::{self, Configuration, Next};
 use crate::file::{BeadWheel, Document, Format};
 use crate::machine::{Event, Key, Language, Machine, Quit, Tick};
 use crate::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
@@ -14,6 +12,7 @@ use crate::ui::{
     Answer, Area, Caption, Choices, Desk, Field, Form, MIDDLE, Manual, Number, Phrase, Picture, Question,
     Stay, Stopwatch,
 };
+use crate::work::{self, Configuration, History, Next};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -74,7 +73,7 @@ pub(crate) async fn run(
         number: machine.seed(),
     };
     let mut desk = Desk::new(machine, manual);
-    configuration::run(player, &mut desk, document).await
+    work::run(player, &mut desk, document).await
 }
 
 impl Picture for Player {
@@ -210,7 +209,7 @@ impl Player {
     /// Shows the picture and waits for an event or for what is due.
     async fn wait(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
         self.now = desk.clock();
-        configuration::keep(self, desk);
+        work::keep(self, desk);
         desk.machine.publish(self.model());
         let due = match &self.show {
             Show::Seeking(seeking) => Some(seeking.due),
@@ -325,7 +324,7 @@ impl Player {
         match key {
             Key::Char('q' | 'Q') => {
                 self.stop();
-                let next = configuration::quit(self, desk).await?;
+                let next = work::quit(self, desk).await?;
                 return Ok(Some(next).filter(|&next| next != Next::Work));
             }
             Key::Char('x' | 'X') => {
@@ -340,7 +339,7 @@ impl Player {
             Key::Esc | Key::Ctrl('Z' | 'Y' | 'S') => {
                 self.stop();
                 let before = self.games.now().wheel;
-                configuration::common_key(self, desk, Some(key)).await?;
+                work::common_key(self, desk, Some(key)).await?;
                 let wheel = self.games.now().wheel;
                 if wheel != before {
                     self.clock.note(wheel.is_solved(), desk.clock());

@@ -7,19 +7,14 @@
 mod axes;
 mod beta;
 mod choice;
-pub mod configuration;
 pub mod drawing;
 mod field;
 pub mod fourier;
-mod history;
 pub mod keys;
 mod look;
 pub mod net;
 mod place;
 pub mod plane;
 mod points;
-pub mod rescue;
 pub mod space;
 mod stage;
-
-pub use history::History;

@@ -2,11 +2,11 @@
 //! in every editor; what a place is asked for with is the editor's own.
 
 use super::choice::{ask_existing, ask_index};
-use super::configuration::Configuration;
 use super::drawing::{Drawing, Edit, Place};
 use crate::file::MAX_POINTS;
 use crate::machine::Quit;
 use crate::ui::{Answer, Desk, Question, Stay, TOP, words};
+use crate::work::Configuration;
 
 /// An editor of control points.
 pub(super) trait PointEditor: Configuration {

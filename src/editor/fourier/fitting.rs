@@ -2,12 +2,12 @@
 
 use super::coefficient::{coefficients, curve};
 use super::{Editor, layout};
-use crate::editor::configuration::read_document;
 use crate::file::{Document, Format, Fourier, HARMONICS, PlanePoints};
 use crate::geometry::{self, BoundingBox, ClosedPath, CubicBezier, Deviation, GeometryError, Point};
 use crate::machine::Quit;
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP, Way};
+use crate::work::read_document;
 
 /// Steps in which the error is measured.
 const STEPS: usize = 1000;

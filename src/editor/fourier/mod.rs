@@ -10,8 +10,6 @@ mod picture;
 
 pub use coefficient::{coefficients, curve};
 
-use super::History;
-use super::configuration::{self, Configuration, Next, common_key, event, quit};
 use super::keys::{SAVE, UNDO};
 use crate::file::{Document, Format, Fourier};
 use crate::machine::{Event, Key, Machine, Quit, Tick};
@@ -20,6 +18,7 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{
     Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Over, Start, Stay, TOP, Typed, Words, page, window,
 };
+use crate::work::{self, Configuration, History, Next, common_key, event, quit};
 use coefficient::{Coefficient, Column};
 use fitting::Target;
 use picture::COMMANDS;
@@ -88,7 +87,7 @@ pub fn start(manual: Manual, document: Option<Document>) -> Result<Start, Phrase
 /// # Errors
 /// [`Quit`] when the display is being closed and nothing is left to save.
 pub async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Result<(), Quit> {
-    configuration::run(Editor::new(), &mut Desk::new(machine, manual), document).await
+    work::run(Editor::new(), &mut Desk::new(machine, manual), document).await
 }
 
 /// Whether the editor can work with a document; else why not.

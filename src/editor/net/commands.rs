@@ -7,12 +7,12 @@ use super::surface::Display;
 use super::{Editor, Stage};
 use crate::editor::beta::{BIAS, TENSION};
 use crate::editor::choice::ask_real;
-use crate::editor::configuration::{Next, event, quit};
 use crate::editor::place::{ask_height, ask_place};
 use crate::geometry::{Border, RefineDirection, refine};
 use crate::machine::{Key, Quit};
 use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Desk, Stay};
+use crate::work::{Next, event, quit};
 use std::ops::RangeInclusive;
 
 /// What the coefficient of the tangents may be.

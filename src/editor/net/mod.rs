@@ -16,8 +16,6 @@ mod surface;
 pub use plan::{Family, Plan, Start};
 pub use show::{SHOW_KEYS, Show, show, shows_nothing_else};
 
-use super::History;
-use super::configuration::{self, Configuration, Next, common_key, event};
 use super::keys::{QUIT, SAVE, UNDO};
 use super::look::{Grip, Held, Look, Poles, Viewer};
 use crate::file::{Document, FileKind, Format};
@@ -25,6 +23,7 @@ use crate::geometry::Point;
 use crate::machine::{Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Desk, KeyHelp, Stay, Words};
+use crate::work::{self, Configuration, History, Next, common_key, event};
 use inspect::{Inspection, Section};
 use map::Map;
 use model::{Index, Model, Part};
@@ -155,7 +154,7 @@ pub fn start(plan: &'static Plan, document: Option<Document>) -> Result<ui::Star
 /// [`Quit`] when the display is being closed and nothing is left to save.
 pub async fn run(machine: &mut Machine, plan: Plan, document: Option<Document>) -> Result<(), Quit> {
     let manual = plan.manual;
-    configuration::run(Editor::new(plan), &mut Desk::new(machine, manual), document).await
+    work::run(Editor::new(plan), &mut Desk::new(machine, manual), document).await
 }
 
 /// Whether a program with a plan can work with a document; else why not.

@@ -2,7 +2,6 @@
 
 use super::{Drawing, Editor, Stage, Tools, curves};
 use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_existing, ask_method};
-use crate::editor::configuration::{Next, quit};
 use crate::editor::drawing::Edit;
 use crate::editor::points::{PointEditor, change, change_at, delete, insert};
 use crate::file::FIELD;
@@ -11,6 +10,7 @@ use crate::machine::{Key, Quit};
 use crate::screen::Color;
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
+use crate::work::{Next, quit};
 
 impl PointEditor for Editor {
     type Place = Point<2>;

@@ -2,12 +2,12 @@
 //! DOS formats cannot hold.
 
 use super::{Drawing, Editor, Sketch, Tools};
-use crate::editor::configuration::read_document;
 use crate::editor::drawing::Place;
 use crate::file::{CurveSettings, Document, FileKind, Format, Method, PlanePoints};
 use crate::geometry::Closure;
 use crate::machine::Storage;
 use crate::ui::words::{self, Phrase};
+use crate::work::read_document;
 
 /// Whether the editor can work with a document; else why not.
 ///

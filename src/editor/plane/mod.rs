@@ -21,9 +21,7 @@ pub use files::{check, with_twin};
 pub use sketch::Sketch;
 pub use tools::Tools;
 
-use super::History;
 use super::choice::{COMMANDS, FEWEST, Shown};
-use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit, Place};
 use super::stage::Stage;
 use crate::file::{Document, Format};
@@ -31,6 +29,7 @@ use crate::geometry::{Closure, Point};
 use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Desk, Manual, Start, Stay, Words};
+use crate::work::{self, Configuration, History, Next, common_key, event};
 use curves::Kind;
 use layout::{STORE_AT, to_field, to_screen};
 use serde::Serialize;
@@ -113,7 +112,7 @@ pub async fn run(
     tools: Tools,
     document: Option<Document>,
 ) -> Result<(), Quit> {
-    configuration::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
+    work::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
 }
 
 impl Configuration for Editor {
@@ -184,7 +183,7 @@ impl Configuration for Editor {
         loop {
             self.stage = Stage::Working;
             if std::mem::take(&mut self.offer_tangents) {
-                configuration::keep(self, desk);
+                work::keep(self, desk);
                 self.offer_automatic_tangents(desk).await?;
             }
             let tick = event(self, desk).await?;

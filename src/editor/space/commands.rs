@@ -3,7 +3,6 @@
 use super::{Drawing, Editor, Stage, Tools};
 use crate::editor::beta::{ask_bias, ask_tension};
 use crate::editor::choice::{Choice, FEWEST, ask_closure, ask_method};
-use crate::editor::configuration::{Next, event, quit};
 use crate::editor::drawing::Edit;
 use crate::editor::place::ask_place;
 use crate::editor::points::{PointEditor, change, delete, insert};
@@ -11,6 +10,7 @@ use crate::geometry::{Method, Point, Shape};
 use crate::machine::{Key, Quit};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Question, Stay};
+use crate::work::{Next, event, quit};
 
 impl PointEditor for Editor {
     type Place = Point<3>;

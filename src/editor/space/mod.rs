@@ -5,10 +5,8 @@
 mod commands;
 mod picture;
 
-use super::History;
 use super::beta::BUTTONS;
 use super::choice::{COMMANDS, METHODS, Shown};
-use super::configuration::{self, Configuration, Next, common_key, event};
 use super::drawing::{self, Edit};
 use super::keys::{CHANGE, DELETE, FOLLOW, FORM, INSERT, METHOD, QUIT, RESULT, SAVE, SHAPE, UNDO};
 use super::look::{Grip, Held, Look, Poles, Viewer};
@@ -18,6 +16,7 @@ use crate::geometry::{Closure, Point, Shape};
 use crate::machine::{Key, Machine, Quit, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Desk, KeyHelp, Manual, Start, Words};
+use crate::work::{self, Configuration, History, Next, common_key, event};
 use serde::Serialize;
 
 /// The control points of a curve in space.
@@ -109,7 +108,7 @@ pub async fn run(
     tools: Tools,
     document: Option<Document>,
 ) -> Result<(), Quit> {
-    configuration::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
+    work::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
 }
 
 /// Whether the editor can work with a document; else why not.

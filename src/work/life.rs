@@ -101,7 +101,10 @@ pub trait Configuration: Picture {
 }
 
 /// Reads a document of a format; a file that is not there is told in the original's words.
-pub(super) fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Result<Document, Phrase> {
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Result<Document, Phrase> {
     let content = storage.read(name).map_err(|error| match error.problem {
         StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
         _ => words::storage_problem(&error),

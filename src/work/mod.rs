@@ -1,0 +1,9 @@
+//! The life of what a program works on, the same for editors, puzzles and billiards: new or stored, worked
+//! on, undone, saved, left, and rescued when a session breaks off.
+
+mod history;
+mod life;
+pub mod rescue;
+
+pub use history::History;
+pub use life::{Configuration, Next, common_key, event, keep, quit, read_document, run};
