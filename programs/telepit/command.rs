@@ -179,7 +179,7 @@ fn ask(path: &Path, language: Language) -> Option<Answer> {
 }
 
 #[cfg(feature = "terminal")]
-use grafika::machine::terminal::Signals;
+use grafika::display::terminal::Signals;
 
 /// Without the terminal's libraries a signal ends the process at once.
 #[cfg(not(feature = "terminal"))]

@@ -1,8 +1,9 @@
 //! What a program runs on: screen, keyboard, mouse, clock and storage, behind one value, [`Machine`].
 //!
 //! A program is an `async` function on a machine: straight-line code that asks and gets an answer. It
-//! never blocks, starts no thread and touches no file itself; the display polls it through a
-//! [`Session`]. Displays are a window, a terminal and a script; nothing above this room names one.
+//! never blocks, starts no thread and touches no file itself; a display polls it through a
+//! [`Session`]. The one display here is a script, [`play`]; those that need a system are in
+//! [`display`](crate::display).
 //!
 //! ```
 //! use grafika::machine::{Event, Key, Machine, Memory, Quit, Session, Settings};
@@ -35,12 +36,8 @@ mod samples;
 mod script;
 mod session;
 mod storage;
-#[cfg(feature = "terminal")]
-pub mod terminal;
 #[cfg(feature = "native")]
 mod user_folder;
-#[cfg(feature = "window")]
-pub mod window;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
