@@ -1,9 +1,8 @@
 //! The options that every program takes.
 
-use super::config::{self, ConfigFile};
-use crate::machine::{
-    Folder, Language, Machine, Offers, Preferences, RecoveryFolder, Settings, Shown, UserFolder,
-};
+use super::config;
+use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
+use crate::machine::{Language, Machine, Preferences, Settings, Shown};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -26,8 +26,6 @@
 mod event;
 mod files;
 mod film;
-#[cfg(feature = "native")]
-mod folder;
 mod port;
 mod preferences;
 mod record;
@@ -36,25 +34,19 @@ mod samples;
 mod script;
 mod session;
 mod storage;
-#[cfg(feature = "native")]
-mod user_folder;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
-#[cfg(feature = "native")]
-pub use folder::{Folder, LARGEST_FILE, write_safely};
 pub use port::Wait;
 pub use preferences::{Keeper, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
-#[cfg(feature = "native")]
-pub use recovery::{Offers, RecoveryFolder};
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
-pub use storage::{Memory, Storage, StorageError, StorageProblem, free_name};
-#[cfg(feature = "native")]
-pub use user_folder::UserFolder;
+pub use storage::{
+    Memory, Storage, StorageError, StorageProblem, check_name, free_name, sample_or_not_found,
+};
 
 use crate::screen::{Masks, Screen};
 use film::Film;

@@ -1,7 +1,7 @@
 //! A file of unsaved work and the lock beside it.
 
-use super::Work;
-use crate::machine::folder::{LARGEST_FILE, write_safely};
+use super::super::{LARGEST_FILE, write_safely};
+use crate::machine::Work;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
