@@ -1,6 +1,6 @@
 //! The folders that a system has for what belongs to a user and a program, beside the user's own files.
 
-use std::ffi::OsString;
+use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
 use std::path::PathBuf;
 
 /// What a folder is for.
@@ -14,57 +14,18 @@ pub enum UserFolder {
 
 impl UserFolder {
     /// The programs' own folder there, `grafika`; on macOS in `~/Library/Application Support` either way. `None`
-    /// when the environment names no such place.
+    /// when the system knows no such place.
     #[must_use]
     pub fn path(self) -> Option<PathBuf> {
-        self.path_by(|name| std::env::var_os(name))
-    }
-
-    fn path_by(self, variable: impl Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
-        let (windows, standard, below_home) = match self {
-            UserFolder::State => ("LOCALAPPDATA", "XDG_STATE_HOME", ".local/state"),
-            UserFolder::Config => ("APPDATA", "XDG_CONFIG_HOME", ".config"),
+        let folders = choose_native_strategy().ok()?;
+        let folder = match self {
+            // Preferences are there for what the system itself writes, and there is no folder for state.
+            _ if cfg!(target_os = "macos") => folders.data_dir(),
+            UserFolder::Config => folders.config_dir(),
+            // Windows has no folder for state either; like a cache, it stays on the machine.
+            UserFolder::State => folders.state_dir().unwrap_or_else(|| folders.cache_dir()),
         };
-        // A relative path would be another folder for every current one; the standard says to ignore it.
-        let path = |name| variable(name).map(PathBuf::from).filter(|path| path.is_absolute());
-        let home = |below: &str| path("HOME").map(|home| home.join(below));
-        let base = if cfg!(windows) {
-            path(windows)
-        } else if cfg!(target_os = "macos") {
-            home("Library/Application Support")
-        } else {
-            path(standard).or_else(|| home(below_home))
-        };
-        base.map(|base| base.join("grafika"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::path::Path;
-
-    #[test]
-    fn the_folders_are_the_standards() {
-        for (kind, standard, below) in [
-            (UserFolder::State, "XDG_STATE_HOME", ".local/state"),
-            (UserFolder::Config, "XDG_CONFIG_HOME", ".config"),
-        ] {
-            let folder = |set: &[(&str, &str)]| {
-                kind.path_by(|name| {
-                    set.iter().find(|(known, _)| *known == name).map(|(_, value)| value.into())
-                })
-            };
-            if cfg!(all(unix, not(target_os = "macos"))) {
-                let home = ("HOME", "/home/me");
-                let below_home = Path::new("/home/me").join(below).join("grafika");
-                assert_eq!(folder(&[home]).as_deref(), Some(&*below_home));
-                for unset in ["", "relative"] {
-                    assert_eq!(folder(&[(standard, unset), home]).as_deref(), Some(&*below_home));
-                }
-                assert_eq!(folder(&[(standard, "/x"), home]).as_deref(), Some(Path::new("/x/grafika")));
-            }
-            assert_eq!(folder(&[]), None);
-        }
+        // A relative path would be another folder for every current one.
+        folder.is_absolute().then(|| folder.join("grafika"))
     }
 }

@@ -25,35 +25,25 @@ use crossterm::event::Event as Told;
 use graphics::Part;
 use input::Input;
 use place::{Extent, LEAST, Place};
-use std::fmt;
 use std::io;
 use std::time::{Duration, Instant};
 use tty::Tty;
 
 /// What can go wrong with a terminal.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TerminalError {
     /// Input or output is no terminal.
+    #[error(
+        "there is no terminal to show the program in; start it in one, without redirecting its input or output"
+    )]
     NoTerminal,
     /// The terminal is gone or does not do what it is told; the system's own message.
+    #[error("the terminal is lost: {0}")]
     Lost(String),
     /// The process was asked to end by a signal.
+    #[error("the program was stopped by a signal")]
     Stopped,
 }
-
-impl fmt::Display for TerminalError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            TerminalError::NoTerminal => f.write_str(
-                "there is no terminal to show the program in; start it in one, without redirecting its input or output",
-            ),
-            TerminalError::Lost(message) => write!(f, "the terminal is lost: {message}"),
-            TerminalError::Stopped => f.write_str("the program was stopped by a signal"),
-        }
-    }
-}
-
-impl std::error::Error for TerminalError {}
 
 impl From<io::Error> for TerminalError {
     fn from(error: io::Error) -> TerminalError {

@@ -43,34 +43,18 @@ pub struct WindowOptions {
 }
 
 /// What can go wrong with a window.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WindowError {
     /// The scale is not 1 to [`LARGEST_SCALE`].
+    #[error("a window cannot be scaled by {0}; give a whole number from 1 to {LARGEST_SCALE}")]
     Scale(u32),
     /// No window could be opened; the system's own message.
+    #[error("no window could be opened ({0}); try the terminal display")]
     Open(String),
     /// The window could not be painted; the system's own message.
+    #[error("the window could not be painted ({0})")]
     Paint(String),
 }
-
-impl fmt::Display for WindowError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            WindowError::Scale(scale) => {
-                write!(
-                    f,
-                    "a window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}"
-                )
-            }
-            WindowError::Open(message) => {
-                write!(f, "no window could be opened ({message}); try the terminal display")
-            }
-            WindowError::Paint(message) => write!(f, "the window could not be painted ({message})"),
-        }
-    }
-}
-
-impl std::error::Error for WindowError {}
 
 /// Whether there is a desktop to open a window on: always on Windows and macOS, elsewhere when the
 /// environment names an X11 or Wayland display.
