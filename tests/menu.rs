@@ -88,7 +88,7 @@ fn settings_lie_where_the_standard_says() {
     let path = |home: &str, config: Option<&str>| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_grafika"));
         command.args(["config", "--path"]).env("HOME", home).env_remove("XDG_CONFIG_HOME");
-        config.iter().for_each(|config| drop(command.env("XDG_CONFIG_HOME", config)));
+        command.envs(config.map(|config| ("XDG_CONFIG_HOME", config)));
         let shown = command.output().expect("it runs");
         String::from_utf8(shown.stdout).expect("it is text").trim_end().to_string()
     };
