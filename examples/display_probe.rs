@@ -67,13 +67,13 @@ fn run(session: &mut Session, arguments: &[String]) -> Result<(), String> {
     match arguments.first().map(String::as_str) {
         #[cfg(feature = "window")]
         Some("window") => {
-            use grafika::machine::window;
+            use grafika::display::window;
             let scale = arguments.get(1).and_then(|scale| scale.parse().ok());
             let options = window::WindowOptions { title: "display_probe".into(), scale };
             window::run(session, &options).map_err(|error| error.to_string())
         }
         #[cfg(feature = "terminal")]
-        Some("terminal") => grafika::machine::terminal::run(session).map_err(|error| error.to_string()),
+        Some("terminal") => grafika::display::terminal::run(session).map_err(|error| error.to_string()),
         _ => {
             // Without a display of its own the session is of no use.
             let _ = session;

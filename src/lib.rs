@@ -4,9 +4,13 @@
 //!
 //! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
 //! [`screen`], [`geometry`], [`table`], [`puzzle`] and [`pascal`] on the ground floor, above them [`mod@file`], [`figure`] and
-//! [`machine`], then [`ui`], then [`editor`], [`cursor`] and the pages of a text mode. The programs themselves stand on top of the library.
+//! [`machine`], then [`ui`], [`display`] and `disk`, then [`editor`], [`cursor`] and the pages of a text mode. The programs themselves
+//! stand on top of the library.
 
 pub mod cursor;
+#[cfg(feature = "native")]
+pub mod disk;
+pub mod display;
 pub mod editor;
 pub mod figure;
 pub mod file;

@@ -84,6 +84,24 @@ fn config(folder: &Path, arguments: &[&str]) -> (bool, String, String) {
 
 #[test]
 #[cfg(all(unix, not(target_os = "macos")))]
+fn settings_lie_where_the_standard_says() {
+    let path = |home: &str, config: Option<&str>| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grafika"));
+        command.args(["config", "--path"]).env("HOME", home).env_remove("XDG_CONFIG_HOME");
+        command.envs(config.map(|config| ("XDG_CONFIG_HOME", config)));
+        let shown = command.output().expect("it runs");
+        String::from_utf8(shown.stdout).expect("it is text").trim_end().to_string()
+    };
+    // What is empty or relative counts as not set.
+    for unset in [None, Some(""), Some("relative")] {
+        assert_eq!(path("/home/me", unset), "/home/me/.config/grafika/config.toml");
+    }
+    assert_eq!(path("/home/me", Some("/x")), "/x/grafika/config.toml");
+    assert_eq!(path("relative", None), "");
+}
+
+#[test]
+#[cfg(all(unix, not(target_os = "macos")))]
 fn settings_are_kept_and_wrong_ones_told() {
     let folder = scratch("config");
     assert_eq!(config(&folder, &["palette"]), (true, "vga\n".to_string(), String::new()));

@@ -3,7 +3,7 @@
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
 #[cfg(feature = "window")]
-use crate::machine::window;
+use crate::display::window;
 use crate::machine::{Recorder, Script, Session, play};
 use std::fs::File;
 use std::io::{IsTerminal, Read};
@@ -80,7 +80,7 @@ fn live(
     #[cfg(feature = "window")]
     if wish == Some(DisplayKind::Window) || (wish.is_none() && window::window_possible()) {
         let options =
-            crate::machine::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
+            crate::display::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
         match window::run(session, &options) {
             // A desktop that cannot show a window is no reason to show nothing, unless a window was asked for.
             Err(window::WindowError::Open(_)) if wish.is_none() && cfg!(feature = "terminal") => {}
@@ -89,7 +89,7 @@ fn live(
     }
     #[cfg(feature = "terminal")]
     if wish != Some(DisplayKind::Window) {
-        return crate::machine::terminal::run(session).map_err(Failure::work);
+        return crate::display::terminal::run(session).map_err(Failure::work);
     }
     let _ = (session, name, wish, options);
     Err(Failure::work("this build has no such display; play a script with --script FILE"))

@@ -181,7 +181,7 @@ fn ask(path: &Path, language: Language) -> Option<Answer> {
 }
 
 #[cfg(feature = "terminal")]
-use crate::machine::terminal::Signals;
+use crate::display::terminal::Signals;
 
 /// Without the terminal's libraries a signal ends the process at once.
 #[cfg(not(feature = "terminal"))]

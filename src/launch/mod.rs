@@ -12,7 +12,7 @@ mod options;
 mod outlet;
 pub mod progress;
 
-pub use config::{config_path, configure};
+pub use config::configure;
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use install::Install;

@@ -1,9 +1,10 @@
 //! Finding and reading the file that a command line names.
 
 use super::Failure;
+use crate::disk::{Folder, LARGEST_FILE};
 use crate::editor::plane::with_twin;
 use crate::file::{Document, FileKind, Format};
-use crate::machine::{Folder, LARGEST_FILE, Storage};
+use crate::machine::Storage;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 

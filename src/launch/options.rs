@@ -1,9 +1,8 @@
 //! The options that every program takes.
 
-use super::config::{self, ConfigFile};
-use crate::machine::{
-    Folder, Language, Machine, Offers, Preferences, RecoveryFolder, Settings, Shown, UserFolder,
-};
+use super::config;
+use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
+use crate::machine::{Language, Machine, Preferences, Settings, Shown};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -146,10 +145,18 @@ impl RunOptions {
 /// Hungarian where the locale says so, English elsewhere.
 fn locale_language() -> Language {
     let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
-    let locale =
-        variables.into_iter().filter_map(|name| std::env::var(name).ok()).find(|set| !set.is_empty());
-    match locale {
+    let named = variables.into_iter().filter_map(|name| std::env::var(name).ok()).find(|set| !set.is_empty());
+    match named.or_else(system_locale) {
         Some(locale) if locale.to_ascii_lowercase().starts_with("hu") => Language::Hungarian,
         _ => Language::English,
     }
+}
+
+/// The locale of a system that tells it elsewhere than in the environment: Windows always does, a Mac where a
+/// program is not started from a shell.
+fn system_locale() -> Option<String> {
+    #[cfg(any(windows, target_os = "macos"))]
+    return sys_locale::get_locale();
+    #[cfg(not(any(windows, target_os = "macos")))]
+    None
 }

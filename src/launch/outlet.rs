@@ -1,8 +1,9 @@
 //! Where scripts and commands write: files named on the command line.
 
 use super::Failure;
+use crate::disk::write_safely;
 use crate::figure::screen_png;
-use crate::machine::{Outlet, write_safely};
+use crate::machine::Outlet;
 use crate::screen::Screen;
 use std::io::Write;
 use std::path::Path;

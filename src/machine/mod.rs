@@ -1,8 +1,9 @@
 //! What a program runs on: screen, keyboard, mouse, clock and storage, behind one value, [`Machine`].
 //!
 //! A program is an `async` function on a machine: straight-line code that asks and gets an answer. It
-//! never blocks, starts no thread and touches no file itself; the display polls it through a
-//! [`Session`]. Displays are a window, a terminal and a script; nothing above this room names one.
+//! never blocks, starts no thread and touches no file itself; a display polls it through a
+//! [`Session`]. The one display here is a script, [`play`]; those that need a system are in
+//! [`display`](crate::display).
 //!
 //! ```
 //! use grafika::machine::{Event, Key, Machine, Memory, Quit, Session, Settings};
@@ -25,8 +26,6 @@
 mod event;
 mod files;
 mod film;
-#[cfg(feature = "native")]
-mod folder;
 mod port;
 mod preferences;
 mod record;
@@ -35,29 +34,19 @@ mod samples;
 mod script;
 mod session;
 mod storage;
-#[cfg(feature = "terminal")]
-pub mod terminal;
-#[cfg(feature = "native")]
-mod user_folder;
-#[cfg(feature = "window")]
-pub mod window;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
-#[cfg(feature = "native")]
-pub use folder::{Folder, LARGEST_FILE, write_safely};
 pub use port::Wait;
 pub use preferences::{Keeper, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
-#[cfg(feature = "native")]
-pub use recovery::{Offers, RecoveryFolder};
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
-pub use storage::{Memory, Storage, StorageError, StorageProblem, free_name};
-#[cfg(feature = "native")]
-pub use user_folder::UserFolder;
+pub use storage::{
+    Memory, Storage, StorageError, StorageProblem, check_name, free_name, sample_or_not_found,
+};
 
 use crate::screen::{Masks, Screen};
 use film::Film;

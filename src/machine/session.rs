@@ -199,29 +199,6 @@ impl Session {
     }
 }
 
-/// The time of a live display since it began, in whole milliseconds, as scripts count.
-#[cfg(any(feature = "window", feature = "terminal"))]
-pub(super) struct Clock(std::time::Instant);
-
-#[cfg(any(feature = "window", feature = "terminal"))]
-impl Clock {
-    pub(super) fn start() -> Clock {
-        Clock(std::time::Instant::now())
-    }
-
-    pub(super) fn now(&self) -> Duration {
-        Duration::from_millis(u64::try_from(self.0.elapsed().as_millis()).unwrap_or(u64::MAX))
-    }
-
-    /// When the session wants to run again without any event: the first whole millisecond that is not
-    /// before its deadline.
-    pub(super) fn due(&self, session: &Session) -> Option<std::time::Instant> {
-        let deadline = session.deadline()?;
-        let milliseconds = u64::try_from(deadline.as_nanos().div_ceil(1_000_000)).unwrap_or(u64::MAX);
-        self.0.checked_add(Duration::from_millis(milliseconds))
-    }
-}
-
 /// The first frame of the grid after a moment.
 fn next_frame(now: Duration) -> Duration {
     let frame = Duration::from_secs(1) / FRAMES_PER_SECOND;

@@ -1,6 +1,6 @@
 //! Where programs keep their files: a flat place of names, whatever stands behind it.
 //!
-//! The folder on disk is `folder.rs`; [`Memory`] serves tests and displays without a disk.
+//! The folder on disk is in `disk`; [`Memory`] serves tests and displays without a disk.
 
 use super::samples::sample;
 use std::cell::RefCell;
@@ -59,8 +59,11 @@ pub trait Storage {
     fn find(&self, name: &str) -> Option<String>;
 }
 
-/// Checks that a name is a plain file name.
-pub(super) fn check_name(name: &str) -> Result<(), StorageError> {
+/// Checks that a name is a plain file name, as every storage has to.
+///
+/// # Errors
+/// [`StorageError`] with what is wrong with it.
+pub fn check_name(name: &str) -> Result<(), StorageError> {
     let why = if name.is_empty() {
         "it is empty"
     } else if name.len() > 255 {
@@ -84,8 +87,11 @@ pub fn free_name(storage: &dyn Storage, program: &str, extension: &str) -> Strin
     name(number.unwrap_or(u32::MAX))
 }
 
-/// Content of the built-in sample of this name, or the error that there is no such file.
-pub(super) fn sample_or_not_found(name: &str) -> Result<Vec<u8>, StorageError> {
+/// Content of the built-in sample of this name: what a storage reads under a name that it has no file of.
+///
+/// # Errors
+/// [`StorageError`] that there is no such file.
+pub fn sample_or_not_found(name: &str) -> Result<Vec<u8>, StorageError> {
     sample(name)
         .map(<[u8]>::to_vec)
         .ok_or_else(|| StorageError { name: name.to_string(), problem: StorageProblem::NotFound })

@@ -1,7 +1,7 @@
 //! Pages in a terminal.
 
 use super::{Doing, TextEvent, TextProgram};
-use crate::machine::terminal::{LineEvent, Lines, TerminalError};
+use crate::display::terminal::{LineEvent, Lines, TerminalError};
 use std::time::Duration;
 
 /// The longest sleep, so that nothing that fails to wake the display is missed for long.

@@ -1,7 +1,8 @@
 //! `grafika config`: the settings of all programs on the command line.
 
 use clap::Args;
-use grafika::launch::{Failure, config_path, configure, write_output};
+use grafika::disk::ConfigFile;
+use grafika::launch::{Failure, configure, write_output};
 
 /// The command line of `grafika config`.
 #[derive(Args)]
@@ -26,7 +27,7 @@ impl Config {
     /// Shows or changes settings.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         if self.path {
-            let path = config_path()
+            let path = ConfigFile::path()
                 .ok_or_else(|| Failure::work("the environment names no home folder to keep settings in"))?;
             return write_output(None, format!("{}\n", path.display()).as_bytes());
         }

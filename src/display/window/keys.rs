@@ -1,7 +1,7 @@
 //! Keys of a window as programs see them: characters as the user's layout types them, everything else
 //! by its name.
 
-use super::super::event::Key;
+use crate::machine::Key;
 use winit::keyboard::{Key as Logical, KeyCode, ModifiersState, NamedKey, PhysicalKey, SmolStr};
 
 /// Keys that mean the same on every layout.

@@ -1,9 +1,9 @@
 //! The terminal as it is, in lines of characters: for pages of a text mode, which are no pictures.
 
-use super::super::event::Key;
 use super::TerminalError;
 use super::input::plain;
 use super::tty::Tty;
+use crate::machine::Key;
 use crossterm::event::{Event, KeyCode, KeyEventKind, KeyModifiers, MouseButton, MouseEventKind};
 use ratatui::backend::CrosstermBackend;
 use ratatui::{Frame, Terminal};

@@ -7,14 +7,17 @@
 mod keys;
 mod layout;
 
-use super::event::{Button, Event, Key};
-use super::session::{Clock, Session};
+use super::Display;
+use super::clock::Clock;
+use crate::machine::{Button, Event, Key, Session};
 use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 use keys::Stroke;
 use layout::Layout;
+use std::convert::Infallible;
 use std::fmt;
 use std::num::NonZeroU32;
 use std::rc::Rc;
+use std::time::Duration;
 use winit::application::ApplicationHandler;
 use winit::dpi::{PhysicalPosition, PhysicalSize};
 use winit::event::{ElementState, MouseButton, MouseScrollDelta, Touch, TouchPhase, WindowEvent};
@@ -40,34 +43,18 @@ pub struct WindowOptions {
 }
 
 /// What can go wrong with a window.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WindowError {
     /// The scale is not 1 to [`LARGEST_SCALE`].
+    #[error("a window cannot be scaled by {0}; give a whole number from 1 to {LARGEST_SCALE}")]
     Scale(u32),
     /// No window could be opened; the system's own message.
+    #[error("no window could be opened ({0}); try the terminal display")]
     Open(String),
     /// The window could not be painted; the system's own message.
+    #[error("the window could not be painted ({0})")]
     Paint(String),
 }
-
-impl fmt::Display for WindowError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            WindowError::Scale(scale) => {
-                write!(
-                    f,
-                    "a window cannot be scaled by {scale}; give a whole number from 1 to {LARGEST_SCALE}"
-                )
-            }
-            WindowError::Open(message) => {
-                write!(f, "no window could be opened ({message}); try the terminal display")
-            }
-            WindowError::Paint(message) => write!(f, "the window could not be painted ({message})"),
-        }
-    }
-}
-
-impl std::error::Error for WindowError {}
 
 /// Whether there is a desktop to open a window on: always on Windows and macOS, elsewhere when the
 /// environment names an X11 or Wayland display.
@@ -132,16 +119,58 @@ struct Pane {
     surface: softbuffer::Surface<OwnedDisplayHandle, Rc<Window>>,
 }
 
-/// A session as a window shows it.
-struct View<'s> {
-    session: &'s mut Session,
-    options: &'s WindowOptions,
-    display: OwnedDisplayHandle,
+/// What there is to be seen.
+struct Front {
     clock: Clock,
     pane: Option<Pane>,
     /// The picture that the window shows, or is about to be painted with.
     picture: Screen,
     palette: Palette,
+}
+
+impl Front {
+    fn paint(&mut self) -> Result<(), softbuffer::SoftBufferError> {
+        let Some(pane) = &mut self.pane else { return Ok(()) };
+        let size = pane.window.inner_size();
+        let (Some(width), Some(height)) = (NonZeroU32::new(size.width), NonZeroU32::new(size.height)) else {
+            // A window that is folded away has no pixels.
+            return Ok(());
+        };
+        pane.surface.resize(width, height)?;
+        let mut pixels = pane.surface.buffer_mut()?;
+        layout_of(size).paint(&self.picture, self.palette, &mut pixels);
+        pane.window.pre_present_notify();
+        pixels.present()
+    }
+}
+
+impl Display for Front {
+    /// Asking for a painting never fails; the painting itself comes when the desktop calls for it.
+    type Error = Infallible;
+
+    fn now(&self) -> Duration {
+        self.clock.now()
+    }
+
+    /// Asks for a painting when the picture has changed.
+    fn show(&mut self, session: &Session) -> Result<(), Infallible> {
+        let (picture, palette) = (session.picture(), session.palette());
+        if picture != self.picture || palette != self.palette {
+            (self.picture, self.palette) = (picture, palette);
+            if let Some(pane) = &self.pane {
+                pane.window.request_redraw();
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A session as a window shows it.
+struct View<'s> {
+    session: &'s mut Session,
+    options: &'s WindowOptions,
+    display: OwnedDisplayHandle,
+    front: Front,
     modifiers: ModifiersState,
     /// Where the mouse has moved since the program was told last.
     moved: Option<(i32, i32)>,
@@ -154,13 +183,15 @@ struct View<'s> {
 impl<'s> View<'s> {
     fn new(session: &'s mut Session, options: &'s WindowOptions, display: OwnedDisplayHandle) -> View<'s> {
         View {
-            picture: session.picture(),
-            palette: session.palette(),
+            front: Front {
+                clock: Clock::start(),
+                pane: None,
+                picture: session.picture(),
+                palette: session.palette(),
+            },
             session,
             options,
             display,
-            clock: Clock::start(),
-            pane: None,
             modifiers: ModifiersState::empty(),
             moved: None,
             held: [false; 3],
@@ -171,11 +202,14 @@ impl<'s> View<'s> {
 
     /// Tells the program one event, after the mouse's last place.
     fn send(&mut self, event: Event) {
-        let now = self.clock.now();
+        self.send_move();
+        self.session.send(event, self.front.now());
+    }
+
+    fn send_move(&mut self) {
         if let Some((x, y)) = self.moved.take() {
-            self.session.send(Event::Move(x, y), now);
+            self.session.send(Event::Move(x, y), self.front.now());
         }
-        self.session.send(event, now);
     }
 
     fn open(&self, desktop: &ActiveEventLoop) -> Result<Pane, WindowError> {
@@ -195,33 +229,8 @@ impl<'s> View<'s> {
         Ok(Pane { window, surface })
     }
 
-    fn paint(&mut self) -> Result<(), softbuffer::SoftBufferError> {
-        let Some(pane) = &mut self.pane else { return Ok(()) };
-        let size = pane.window.inner_size();
-        let (Some(width), Some(height)) = (NonZeroU32::new(size.width), NonZeroU32::new(size.height)) else {
-            // A window that is folded away has no pixels.
-            return Ok(());
-        };
-        pane.surface.resize(width, height)?;
-        let mut pixels = pane.surface.buffer_mut()?;
-        layout_of(size).paint(&self.picture, self.palette, &mut pixels);
-        pane.window.pre_present_notify();
-        pixels.present()
-    }
-
-    /// Asks for a painting when the picture has changed.
-    fn refresh(&mut self) {
-        let (picture, palette) = (self.session.picture(), self.session.palette());
-        if picture != self.picture || palette != self.palette {
-            (self.picture, self.palette) = (picture, palette);
-            if let Some(pane) = &self.pane {
-                pane.window.request_redraw();
-            }
-        }
-    }
-
     fn point(&mut self, place: PhysicalPosition<f64>) {
-        let Some(pane) = &self.pane else { return };
+        let Some(pane) = &self.front.pane else { return };
         let layout = layout_of(pane.window.inner_size());
         // Outside of the window the mouse is the program's business only while it drags.
         if layout.holds(place.x, place.y) || self.held.contains(&true) {
@@ -266,7 +275,7 @@ impl<'s> View<'s> {
         for key in stroke.keys() {
             if key != FULL_SCREEN_KEY {
                 self.send(Event::Key(key));
-            } else if let (Some(pane), false) = (&self.pane, repeated) {
+            } else if let (Some(pane), false) = (&self.front.pane, repeated) {
                 let full = pane.window.fullscreen().is_some();
                 pane.window.set_fullscreen((!full).then_some(Fullscreen::Borderless(None)));
             }
@@ -277,12 +286,12 @@ impl<'s> View<'s> {
         match event {
             WindowEvent::CloseRequested => self.send(Event::Close),
             WindowEvent::Resized(_) => {
-                if let Some(pane) = &self.pane {
+                if let Some(pane) = &self.front.pane {
                     pane.window.request_redraw();
                 }
             }
             WindowEvent::RedrawRequested => {
-                if let Err(error) = self.paint() {
+                if let Err(error) = self.front.paint() {
                     self.problem = Some(WindowError::Paint(error.to_string()));
                 }
             }
@@ -318,9 +327,9 @@ impl<'s> View<'s> {
 
 impl ApplicationHandler for View<'_> {
     fn resumed(&mut self, desktop: &ActiveEventLoop) {
-        if self.pane.is_none() {
+        if self.front.pane.is_none() {
             match self.open(desktop) {
-                Ok(pane) => self.pane = Some(pane),
+                Ok(pane) => self.front.pane = Some(pane),
                 Err(problem) => self.problem = Some(problem),
             }
         }
@@ -328,24 +337,20 @@ impl ApplicationHandler for View<'_> {
 
     fn window_event(&mut self, _: &ActiveEventLoop, window: WindowId, event: WindowEvent) {
         // A window of an earlier session may have something left to say.
-        if self.pane.as_ref().is_some_and(|pane| pane.window.id() == window) {
+        if self.front.pane.as_ref().is_some_and(|pane| pane.window.id() == window) {
             self.event(event);
         }
     }
 
     fn about_to_wait(&mut self, desktop: &ActiveEventLoop) {
-        let now = self.clock.now();
-        if let Some((x, y)) = self.moved.take() {
-            self.session.send(Event::Move(x, y), now);
-        }
-        self.session.advance(now);
+        self.send_move();
+        let Ok(due) = self.front.step(self.session);
         if self.session.ended() || self.problem.is_some() {
-            self.pane = None;
+            self.front.pane = None;
             desktop.exit();
             return;
         }
-        self.refresh();
-        desktop.set_control_flow(match self.clock.due(self.session) {
+        desktop.set_control_flow(match due.and_then(|due| self.front.clock.at(due)) {
             Some(moment) => ControlFlow::WaitUntil(moment),
             None => ControlFlow::Wait,
         });

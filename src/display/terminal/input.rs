@@ -1,8 +1,7 @@
 //! Keys and mouse of a terminal as programs see them, and a mouse for those who have only keys.
 
-use super::super::PointerSpeed;
-use super::super::event::{Button, Event, Key};
 use super::place::{Extent, Place};
+use crate::machine::{Button, Event, Key, PointerSpeed};
 use crate::screen::{HEIGHT, WIDTH};
 use crossterm::event::{
     KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,

@@ -1,7 +1,7 @@
 //! The thread that writes the latest work of a session, at its own pace.
 
-use super::Work;
 use super::place::Place;
+use crate::machine::Work;
 use std::io;
 use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};

@@ -1,7 +1,8 @@
 //! A file of unsaved work and the lock beside it.
 
-use super::Work;
-use crate::machine::folder::{LARGEST_FILE, write_safely};
+use super::super::write::{clear_temporaries, is_older};
+use super::super::{LARGEST_FILE, write_safely};
+use crate::machine::Work;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
@@ -9,7 +10,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The age at which leftovers of broken-off sessions without unsaved work are cleared away.
+/// The age at which locks of broken-off sessions without unsaved work are cleared away.
 const LEFTOVER: Duration = Duration::from_secs(24 * 60 * 60);
 /// What the files of unsaved work end with.
 pub(super) const WORK: &str = ".unsaved";
@@ -138,17 +139,14 @@ fn make_private_folder(path: &Path) -> io::Result<()> {
 
 /// Removes what broken-off sessions may leave that holds no work: half-written files and locks of nothing.
 pub(super) fn clear_leftovers(folder: &Path) {
+    clear_temporaries(folder);
     let Ok(entries) = fs::read_dir(folder) else { return };
-    for path in entries.flatten().map(|entry| entry.path()) {
-        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        let old = || {
-            let modified = fs::metadata(&path).and_then(|about| about.modified()).ok();
-            modified.and_then(|time| time.elapsed().ok()).is_some_and(|age| age > LEFTOVER)
-        };
-        let half_written = name.starts_with(".grafika-") && name.ends_with(".tmp");
-        let lonely = name.ends_with(LOCK) && !path.with_extension(WORK.trim_start_matches('.')).exists();
+    let is_lock = |path: &PathBuf| path.extension().is_some_and(|it| it == LOCK.trim_start_matches('.'));
+    for path in entries.flatten().map(|entry| entry.path()).filter(is_lock) {
+        let old = fs::metadata(&path).is_ok_and(|about| is_older(&about, LEFTOVER));
+        let lonely = !path.with_extension(WORK.trim_start_matches('.')).exists();
         let unlocked = || File::open(&path).is_ok_and(|file| file.try_lock().is_ok());
-        if old() && (half_written || (lonely && unlocked())) {
+        if old && lonely && unlocked() {
             let _ = fs::remove_file(&path);
         }
     }

@@ -1,18 +1,21 @@
-//! The place of recovery that is a folder on disk: one file for the unsaved work of every running session.
+//! The place of recovery that is a folder on disk: one file (`place.rs`) for the unsaved work of every running session.
 //!
-//! A thread writes the latest work, so that no picture waits for the disk. Beside a session's file lies a
+//! A thread (`writer.rs`) writes the latest work, so that no picture waits for the disk. Beside a session's file lies a
 //! lock file, which the session holds locked as long as it runs; the system lets go of it however the session
 //! ends. A file whose lock can be had belongs to nobody any more, and is offered.
 
-use super::place::{Place, WORK, clear_leftovers};
-use super::writer::{Shared, Wish, write};
-use super::{Lost, Recovery, Verdict, Work};
+mod place;
+mod writer;
+
+use crate::machine::{Lost, Recovery, Verdict, Work};
+use place::{Place, WORK, clear_leftovers};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, SystemTime};
+use writer::{Shared, Wish, write};
 
 /// How often it is looked whether the thread is still there, while it is waited for.
 const LOOK_AGAIN: Duration = Duration::from_millis(50);
@@ -40,7 +43,7 @@ pub struct RecoveryFolder {
 }
 
 impl RecoveryFolder {
-    /// The folder `recovery` in a state folder ([`UserFolder::State`]; without one nothing can be kept, which is
+    /// The folder `recovery` in a state folder ([`UserFolder::State`](super::UserFolder); without one nothing can be kept, which is
     /// told), for a program whose own files are in another folder.
     pub fn new(state: Option<PathBuf>, files: &Path, offers: Offers) -> RecoveryFolder {
         RecoveryFolder {

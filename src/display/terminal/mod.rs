@@ -16,44 +16,34 @@ pub use input::{KEY_HELP, KeyHelp};
 pub use lines::{LineEvent, Lines};
 pub use tty::Signals;
 
-use super::Language;
-use super::event::Event;
-use super::session::{Clock, Session};
+use super::Display;
+use super::clock::Clock;
+use crate::machine::{Event, Language, Session};
 use crate::screen::{Palette, Screen};
 use blocks::{Cell, Depth};
 use crossterm::event::Event as Told;
 use graphics::Part;
 use input::Input;
 use place::{Extent, LEAST, Place};
-use std::fmt;
 use std::io;
 use std::time::{Duration, Instant};
 use tty::Tty;
 
 /// What can go wrong with a terminal.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TerminalError {
     /// Input or output is no terminal.
+    #[error(
+        "there is no terminal to show the program in; start it in one, without redirecting its input or output"
+    )]
     NoTerminal,
     /// The terminal is gone or does not do what it is told; the system's own message.
+    #[error("the terminal is lost: {0}")]
     Lost(String),
     /// The process was asked to end by a signal.
+    #[error("the program was stopped by a signal")]
     Stopped,
 }
-
-impl fmt::Display for TerminalError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            TerminalError::NoTerminal => f.write_str(
-                "there is no terminal to show the program in; start it in one, without redirecting its input or output",
-            ),
-            TerminalError::Lost(message) => write!(f, "the terminal is lost: {message}"),
-            TerminalError::Stopped => f.write_str("the program was stopped by a signal"),
-        }
-    }
-}
-
-impl std::error::Error for TerminalError {}
 
 impl From<io::Error> for TerminalError {
     fn from(error: io::Error) -> TerminalError {
@@ -72,20 +62,11 @@ const LONGEST_SLEEP: Duration = Duration::from_secs(1);
 pub fn run(session: &mut Session) -> Result<(), TerminalError> {
     let tty = Tty::open()?;
     let mut view = View::new(&tty)?;
-    let clock = Clock::start();
-    let mut stale = true;
     while !session.ended() {
-        if stale && view.ready() {
-            view.show(session)?;
-            stale = false;
-        }
-        let events = view.events(session, tty.events(view.sleep(&clock, session, stale))?)?;
-        let now = clock.now();
-        stale |= view.redraw || !events.is_empty() || session.deadline().is_some_and(|due| due <= now);
-        session.advance(now);
-        for event in events {
-            session.send(event, now);
-        }
+        let due = view.step(session)?;
+        let told = tty.events(view.sleep(due))?;
+        let (events, now) = (view.events(session, told)?, view.now());
+        events.into_iter().for_each(|event| session.send(event, now));
     }
     Ok(())
 }
@@ -142,6 +123,7 @@ enum Shown {
 /// A session as a terminal shows it.
 struct View<'t> {
     tty: &'t Tty,
+    clock: Clock,
     extent: Extent,
     style: Style,
     depth: Depth,
@@ -149,6 +131,8 @@ struct View<'t> {
     input: Input,
     shown: Shown,
     shown_at: Option<Instant>,
+    /// A picture came too soon after the one before to be shown.
+    late: bool,
     /// The terminal's size changed and what it shows is undefined.
     redraw: bool,
 }
@@ -159,6 +143,7 @@ impl<'t> View<'t> {
         let extent = tty.extent()?;
         Ok(View {
             tty,
+            clock: Clock::start(),
             extent,
             style: Style::of(tty, extent),
             depth: Depth::of(&variable("COLORTERM"), &variable("TERM")),
@@ -166,6 +151,7 @@ impl<'t> View<'t> {
             input: Input::new(tty.answers.pixel_mouse),
             shown: Shown::Nothing,
             shown_at: None,
+            late: false,
             redraw: true,
         })
     }
@@ -179,8 +165,8 @@ impl<'t> View<'t> {
         self.redraw || self.next().is_none_or(|moment| moment <= Instant::now())
     }
 
-    fn sleep(&self, clock: &Clock, session: &Session, stale: bool) -> Duration {
-        let wanted = [clock.due(session), self.next().filter(|_| stale)];
+    fn sleep(&self, due: Option<Duration>) -> Duration {
+        let wanted = [due.and_then(|due| self.clock.at(due)), self.next().filter(|_| self.late)];
         let until = wanted.into_iter().flatten().min();
         until.map_or(LONGEST_SLEEP, |moment| {
             moment.saturating_duration_since(Instant::now()).min(LONGEST_SLEEP)
@@ -227,7 +213,7 @@ impl<'t> View<'t> {
         Ok(())
     }
 
-    fn show(&mut self, session: &Session) -> Result<(), TerminalError> {
+    fn paint(&mut self, session: &Session) -> Result<(), TerminalError> {
         let mut frame = Vec::new();
         if self.palette != session.palette() {
             self.palette = session.palette();
@@ -318,6 +304,19 @@ impl<'t> View<'t> {
     }
 }
 
+impl Display for View<'_> {
+    type Error = TerminalError;
+
+    fn now(&self) -> Duration {
+        self.clock.now()
+    }
+
+    fn show(&mut self, session: &Session) -> Result<(), TerminalError> {
+        self.late = !self.ready();
+        if self.late { Ok(()) } else { self.paint(session) }
+    }
+}
+
 fn too_small(language: Language, extent: Extent) -> [String; 3] {
     let Extent { columns, rows, .. } = extent;
     let (least_columns, least_rows) = LEAST;
@@ -376,8 +375,8 @@ fn changed(before: Option<&[u8]>, after: &[u8], place: Place) -> Option<Part> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::event::Button;
     use super::*;
+    use crate::machine::Button;
 
     #[test]
     fn a_move_before_a_press_is_kept() {

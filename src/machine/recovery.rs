@@ -1,19 +1,8 @@
 //! Unsaved work that outlives a crash: what a program is working on is kept beside its files, and a later
 //! start of the program finds what a session that broke off has left.
 //!
-//! Here is only what programs see of it. The folder on disk is `folder.rs`, a file in it `place.rs`, the thread that
-//! writes it `writer.rs`; a machine without a
-//! [`Recovery`] keeps nothing, as in scripts and in the library without file system.
-
-#[cfg(feature = "native")]
-mod folder;
-#[cfg(feature = "native")]
-mod place;
-#[cfg(feature = "native")]
-mod writer;
-
-#[cfg(feature = "native")]
-pub use folder::{Offers, RecoveryFolder};
+//! Here is only what programs see of it; the place on the disk is in `disk`. A machine without a [`Recovery`] keeps
+//! nothing, as in scripts and in the library without file system.
 
 use std::time::Duration;
 

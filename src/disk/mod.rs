@@ -1,0 +1,14 @@
+//! What a machine keeps on the disk: the files of a folder, unsaved work, the user's settings. Files are written so
+//! that a crash leaves the old content or the new one.
+
+mod config;
+mod folder;
+mod recovery;
+mod user_folder;
+mod write;
+
+pub use config::ConfigFile;
+pub use folder::{Folder, LARGEST_FILE};
+pub use recovery::{Offers, RecoveryFolder};
+pub use user_folder::UserFolder;
+pub use write::write_safely;

@@ -1,0 +1,195 @@
+//! Writing files so that nothing is lost, whenever the machine stops.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// What the names of temporary files begin and end with.
+const TEMPORARY: [&str; 2] = [".grafika-", ".tmp"];
+/// The age at which a temporary file has been left behind by a process that broke off.
+const STALE: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// Writes a file by way of a temporary one in the same folder, which is flushed and renamed, so that a
+/// crash leaves the old file or the new one, and a full disk leaves the old one. The file keeps its permissions, and
+/// a link stays a link: what it points to is replaced.
+///
+/// What is there but is no ordinary file, a pipe or a device, is opened and written instead. A pipe waits for its
+/// reader.
+///
+/// # Errors
+/// The system's error; the old file is whole then and the temporary one is gone.
+pub fn write_safely(path: &Path, content: &[u8]) -> io::Result<()> {
+    let old = fs::metadata(path).ok();
+    if old.as_ref().is_some_and(|old| !old.is_file() && !old.is_dir()) {
+        let mut special = File::options().write(true).open(path)?;
+        return special.write_all(content).and_then(|()| special.flush());
+    }
+    if old.as_ref().is_some_and(|old| old.permissions().readonly()) {
+        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is write-protected"));
+    }
+    let target = behind_links(path)?;
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    clear_temporaries(folder);
+    let permissions = old.map(|old| old.permissions());
+    let mut options = File::options();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    if let Some(permissions) = &permissions {
+        // Nobody may read the new file, even half-written, who may not read the old one.
+        use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
+        options.mode(permissions.mode());
+    }
+    let mut naming = tempfile::Builder::new();
+    naming.prefix(TEMPORARY[0]).suffix(TEMPORARY[1]);
+    // Dropped, it is gone.
+    let mut file = naming.make_in(folder, |path| options.open(path))?;
+    file.as_file_mut().write_all(content)?;
+    if let Some(permissions) = permissions {
+        file.as_file().set_permissions(permissions)?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(&target).map_err(|failed| failed.error)?;
+    // The new name is on the disk only when the folder is; where folders cannot be flushed, nothing is lost.
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
+
+/// Where a path leads to: the file itself, or where it would be behind links that lead to nothing yet.
+fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    loop {
+        match fs::canonicalize(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            // Links that lead in a circle are an error of this kind.
+            found => return found,
+        }
+        let Ok(next) = fs::read_link(&path) else { return Ok(path) };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+}
+
+/// Removes the temporary files of processes that broke off long ago.
+pub(super) fn clear_temporaries(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    let ours = |entry: &fs::DirEntry| {
+        let name = entry.file_name();
+        name.to_str().is_some_and(|name| name.starts_with(TEMPORARY[0]) && name.ends_with(TEMPORARY[1]))
+    };
+    for entry in entries.flatten().filter(ours) {
+        let stale = |about: fs::Metadata| about.is_file() && is_older(&about, STALE);
+        if entry.metadata().is_ok_and(stale) {
+            // What cannot be removed is only untidy.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// Whether a file was written last longer ago than a time, if the clocks tell.
+pub(super) fn is_older(about: &fs::Metadata, age: Duration) -> bool {
+    about.modified().ok().and_then(|time| time.elapsed().ok()).is_some_and(|passed| passed > age)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::SystemTime;
+
+    /// A scratch folder, gone at the end.
+    fn scratch() -> tempfile::TempDir {
+        tempfile::tempdir().unwrap()
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap().flatten();
+        let mut names: Vec<String> = entries.map(|entry| entry.file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_failed_write_leaves_nothing_behind() {
+        let folder = scratch();
+        fs::create_dir(folder.path().join("a")).unwrap();
+        assert!(write_safely(&folder.path().join("a"), b"new").is_err());
+        let missing = write_safely(&folder.path().join("b").join("c"), b"new").unwrap_err();
+        assert_eq!(missing.kind(), io::ErrorKind::NotFound);
+        assert!(!missing.to_string().contains(TEMPORARY[0]), "nobody knows that name: {missing}");
+        assert_eq!(names(folder.path()), ["a"]);
+    }
+
+    #[test]
+    fn temporary_files_that_were_left_behind_long_ago_go() {
+        let folder = scratch();
+        for (name, age) in [(".grafika-1-0.tmp", 100_000), (".grafika-x.tmp", 60), ("old.tmp", 100_000)] {
+            let file = File::create(folder.path().join(name)).unwrap();
+            file.set_modified(SystemTime::now() - Duration::from_secs(age)).unwrap();
+        }
+        write_safely(&folder.path().join("a"), b"new").unwrap();
+        assert_eq!(names(folder.path()), [".grafika-x.tmp", "a", "old.tmp"]);
+    }
+
+    #[cfg(unix)]
+    mod unix {
+        use super::*;
+        use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+
+        #[test]
+        fn permissions_stay_and_new_files_have_those_of_any_new_file() {
+            let folder = scratch();
+            let [own, any, new] = ["own", "any", "new"].map(|name| folder.path().join(name));
+            for (path, mode) in [(&own, 0o600), (&any, 0o666)] {
+                fs::write(path, "old").unwrap();
+                fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
+                write_safely(path, b"new").unwrap();
+                assert_eq!(fs::metadata(path).unwrap().permissions().mode() & 0o7777, mode);
+            }
+            write_safely(&new, b"new").unwrap();
+            let usual = File::create(folder.path().join("usual")).unwrap().metadata().unwrap();
+            assert_eq!(fs::metadata(&new).unwrap().mode(), usual.mode());
+        }
+
+        #[test]
+        fn links_stay_links() {
+            let folder = scratch();
+            let at = |name: &str| folder.path().join(name);
+            fs::create_dir(at("there")).unwrap();
+            fs::write(at("there/file"), "old").unwrap();
+            symlink("there/file", at("link")).unwrap();
+            symlink("link", at("second")).unwrap();
+            // It leads to what is not there yet.
+            symlink("there/new", at("future")).unwrap();
+            symlink("circle", at("circle")).unwrap();
+            write_safely(&at("second"), b"second").unwrap();
+            write_safely(&at("future"), b"future").unwrap();
+            assert!(write_safely(&at("circle"), b"circle").is_err());
+            assert_eq!(fs::read(at("there/file")).unwrap(), b"second");
+            assert_eq!(fs::read(at("there/new")).unwrap(), b"future");
+            assert!(["link", "second", "future", "circle"].iter().all(|name| at(name).is_symlink()));
+        }
+
+        #[test]
+        fn pipes_and_devices_are_written_and_stay() {
+            let folder = scratch();
+            let pipe = folder.path().join("pipe");
+            let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
+            assert!(made.success());
+            let reader = std::thread::spawn({
+                let pipe = pipe.clone();
+                move || fs::read(pipe).unwrap()
+            });
+            let content = vec![7; 200_000];
+            write_safely(&pipe, &content).unwrap();
+            assert!(reader.join().unwrap() == content);
+            assert_eq!(names(folder.path()), ["pipe"]);
+            write_safely(Path::new("/dev/null"), b"new").unwrap();
+            assert!(!fs::metadata("/dev/null").unwrap().is_file());
+            let socket = folder.path().join("socket");
+            let _listens = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+            assert!(write_safely(&socket, b"new").is_err());
+            assert_eq!(names(folder.path()), ["pipe", "socket"]);
+        }
+    }
+}
