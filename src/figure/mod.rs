@@ -29,6 +29,7 @@
 mod axes;
 mod error;
 mod layout;
+mod letters;
 mod mesh;
 mod number;
 mod pdf;

@@ -1,8 +1,9 @@
 //! The Bézier curve by all control points: one arc of any degree (2.47)-(2.48).
 
 use super::arclen::integrate;
+use super::cubic::check_arcs;
 use super::method::Closure;
-use super::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference, within_limit};
+use super::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference};
 use super::{BoundingBox, CubicBezier, GeometryError, Point};
 
 /// A Bézier curve of degree `points - 1`, at least 1, with checked coordinates.
@@ -111,10 +112,7 @@ impl<const D: usize> Bezier<D> {
                 waiting.push((left, depth - 1));
             }
         }
-        match arcs.iter().position(|arc| !arc.p.iter().all(within_limit)) {
-            None => Ok(arcs),
-            Some(span) => Err(GeometryError::Overflow { span }),
-        }
+        check_arcs(arcs)
     }
 
     /// A box round the curve, never too small and too large by no more than 1e-13 of the box of

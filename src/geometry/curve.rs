@@ -1,10 +1,8 @@
 //! A whole curve: the arcs of a piecewise method, or the one arc of the Bézier curve.
 
+use super::limits::MAX_SAMPLES;
 use super::method::{Closure, Method};
 use super::{Bezier, BoundingBox, CubicBezier, GeometryError, Point, Weights};
-
-/// The largest number of samples of one curve.
-pub const MAX_SAMPLES: usize = 1 << 24;
 
 /// A curve made of spans, each with its own parameter `u` in [0, 1].
 #[derive(Clone, Debug, PartialEq)]

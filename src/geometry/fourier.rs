@@ -6,13 +6,15 @@
 
 mod bound;
 mod fit;
+mod turn;
 
 pub use fit::{ClosedPath, Deviation};
 
-use super::curve::MAX_SAMPLES;
-use super::point::{COORDINATE_LIMIT, within_limit};
+use super::limits::{COORDINATE_LIMIT, MAX_SAMPLES};
+use super::point::within_limit;
 use super::{BoundingBox, CubicBezier, GeometryError, Point, Sample};
 use std::f64::consts::{PI, TAU};
+use turn::turn;
 
 /// The largest number of harmonics of one curve.
 pub const MAX_HARMONICS: usize = 1 << 12;
@@ -251,20 +253,6 @@ impl<const D: usize> Fourier<D> {
             CubicBezier::from_hermite(p[0], p[1], scaled(&v[0]), scaled(&v[1]))
         };
         Ok(points.windows(2).zip(tangents.windows(2)).map(arc).collect())
-    }
-}
-
-/// Sine and cosine of `u` turns. Whole and quarter turns are taken off first, without rounding, so
-/// that no accuracy is lost in many turns, and quarters have their exact values.
-fn turn(u: f64) -> [f64; 2] {
-    let part = u - u.round();
-    let quarters = (4.0 * part).round();
-    let (sin, cos) = (TAU * (part - 0.25 * quarters)).sin_cos();
-    match quarters as i32 {
-        0 => [sin, cos],
-        1 => [cos, -sin],
-        -1 => [-cos, sin],
-        _ => [-sin, -cos],
     }
 }
 

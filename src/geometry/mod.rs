@@ -47,6 +47,7 @@ mod error;
 mod fourier;
 mod hermite;
 mod hidden;
+mod limits;
 mod method;
 mod point;
 mod smooth;
@@ -62,13 +63,14 @@ pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
 pub use bounds::BoundingBox;
 pub use cubic::CubicBezier;
-pub use curve::{Curve, MAX_SAMPLES, Sample};
+pub use curve::{Curve, Sample};
 pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
+pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
-pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point, cross, dot};
+pub use point::{Point, cross, dot};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };

@@ -3,7 +3,8 @@
 //! The coefficients are the integrals of the path times sines and cosines. The partial sum is then
 //! the curve of so many harmonics with the least mean square distance at equal parameters.
 
-use super::{Fourier, Harmonic, MAX_HARMONICS, turn};
+use super::turn::turn;
+use super::{Fourier, Harmonic, MAX_HARMONICS};
 use crate::geometry::arclen::GAUSS;
 use crate::geometry::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference};
 use crate::geometry::{Closure, CubicBezier, Curve, GeometryError, Method, Point};
