@@ -23,7 +23,7 @@ mod gr_kz_x;
 
 use common::{Kept, Refusing, SharedDisk, pictures};
 use grafika::figure::screen_png;
-use grafika::geometry::{Closure, Curve, Method, Point};
+use grafika::geometry::{Closure, Curve, Method, ParamCurve, Point};
 use grafika::launch::Program;
 use grafika::machine::{Script, Settings, Storage, play};
 

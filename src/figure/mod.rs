@@ -9,7 +9,7 @@
 //!
 //! ```
 //! use grafika::figure::{Figure, Style};
-//! use grafika::geometry::{Closure, Curve, Method};
+//! use grafika::geometry::{Closure, Curve, Method, ParamCurve};
 //!
 //! let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
 //! let curve = Curve::through(Method::Spline, Closure::Closed, &points)?;
