@@ -2,7 +2,7 @@
 //! themselves; the fit to a polygon, the box and the cubic arcs.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grafika::geometry::{ClosedPath, Fourier, Point, Wave};
+use grafika::geometry::{ClosedPath, Fourier, ParamCurve, Point, Wave};
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;
 

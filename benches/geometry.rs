@@ -2,8 +2,8 @@
 //! happens when the number of points changes: the weights. kurbo's evaluation is the peer.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grafika::geometry::{Bezier, Closure, CubicBezier, Curve, Method, Point, Weights};
-use kurbo::ParamCurve;
+use grafika::geometry::{Bezier, Closure, CubicBezier, Curve, Method, ParamCurve, Point, Weights};
+use kurbo::ParamCurve as _;
 use std::hint::black_box;
 
 /// Samples per arc in the sampling benches.

@@ -3,7 +3,7 @@
 //!     cargo run --example fit_spline > clover.svg
 
 use grafika::figure::{Figure, Style};
-use grafika::geometry::{Closure, Curve, Method};
+use grafika::geometry::{Closure, Curve, Method, ParamCurve};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -6,7 +6,7 @@
 //! every time.
 
 use grafika::file::Format;
-use grafika::geometry::{Closure, Curve, Method};
+use grafika::geometry::{Closure, Curve, Method, ParamCurve};
 use grafika::screen::{Color, Screen, Stroke};
 use std::fmt::Write;
 use std::path::Path;

@@ -6,7 +6,7 @@ mod common;
 
 use common::pictures;
 use grafika::figure::{Figure, FigureError, LARGEST_WIDTH, Style};
-use grafika::geometry::{Closure, CubicBezier, Curve, Method, Point};
+use grafika::geometry::{Closure, CubicBezier, Curve, Method, ParamCurve, Point};
 use proptest::prelude::*;
 use std::process::{Command, Output};
 

@@ -6,7 +6,7 @@ mod common;
 
 use common::pictures;
 use grafika::figure::{Axes, CURVE_INK, Figure, FigureError, LONGEST_CAPTION, Style};
-use grafika::geometry::{BoundingBox, Closure, Curve, Method, Point, View};
+use grafika::geometry::{BoundingBox, Closure, Curve, Method, ParamCurve, Point, View};
 use proptest::prelude::*;
 use std::process::Command;
 
@@ -19,7 +19,7 @@ fn figure() -> Figure {
     figure.set_caption("2.14. ábra. Egy zárt harmadfokú spline öt ponton át; minden csatlakozásban kétszer folytonosan deriválható.");
     figure.set_axes(Axes::Plane);
     figure.plot_polygon(POINTS.to_vec(), Closure::Closed);
-    figure.plot_curve(curve.to_cubics(1e-6).unwrap(), CURVE_INK);
+    figure.plot_curve(&curve, CURVE_INK).unwrap();
     figure.plot_points(&POINTS);
     figure
 }

@@ -1,7 +1,7 @@
 //! The Bézier curve of high degree against exact integers and twofold doubles, to 2e-14 of the size
 //! of the control polygon.
 
-use grafika::geometry::{Closure, Curve, Method, Point};
+use grafika::geometry::{Closure, Curve, Method, ParamCurve, Point};
 
 const SIZE: f64 = 560.0;
 

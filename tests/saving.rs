@@ -8,7 +8,7 @@ use grafika::programs::{
 
 use common::{Kept, Refusing, SharedDisk, pictures};
 use grafika::figure::screen_png;
-use grafika::geometry::{Closure, Curve, Method, Point};
+use grafika::geometry::{Closure, Curve, Method, ParamCurve, Point};
 use grafika::machine::{Script, Settings, Storage, play};
 use grafika::ui::Program;
 

@@ -2,7 +2,7 @@
 //! questions that change them, their display, and the marks at the joints.
 
 use super::choice::ask_real;
-use crate::geometry::{Closure, Curve, Point, Shape};
+use crate::geometry::{Closure, Curve, ParamCurve, Point, Shape};
 use crate::machine::{Language, Quit};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Button, Desk, Picture, words};

@@ -1,7 +1,7 @@
 //! What several editors ask and draw alike: a point's number, a number of its own, the curve's form and
 //! method, and the curve that was chosen.
 
-use crate::geometry::{Closure, Curve, GeometryError, Method, Point};
+use crate::geometry::{Closure, Curve, GeometryError, Method, ParamCurve, Point};
 use crate::machine::{Key, Quit};
 use crate::ui::words::{self, Words};
 use crate::ui::{

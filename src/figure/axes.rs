@@ -4,7 +4,7 @@
 //! Axes of the plane stand along the lower and the left edge of what they measure, which grows to whole steps;
 //! those of space begin at the origin and are drawn as a view shows them.
 
-use super::layout::{AXIS_SIZE, Letters, length};
+use super::letters::{Letters, length};
 use crate::geometry::{BoundingBox, Point, View};
 
 /// The axes of a picture.
@@ -21,6 +21,8 @@ pub enum Axes {
     },
 }
 
+/// Size of the numbers at axes.
+const AXIS_SIZE: f64 = 13.0;
 /// Steps along the longer side.
 const STEPS: f64 = 8.0;
 /// Length of a tick.

@@ -3,20 +3,13 @@
 //! All sizes here are nominal pixels, y downwards.
 
 use super::axes::{Axes, PlaneAxes, Rules, SpaceAxes};
+use super::letters::{ASCENT, Area, DESCENT, LETTER_WIDTH, Letters, length};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style};
 use super::wrap::wrap;
 use crate::geometry::{BoundingBox, CubicBezier, Point};
 
-/// The advance of every letter by the size of the font: 1233 of 2048 units.
-pub(super) const LETTER_WIDTH: f64 = 1233.0 / 2048.0;
-/// Heights above and below the base line that letters take up, by the size of the font.
-const ASCENT: f64 = 0.78;
-const DESCENT: f64 = 0.22;
-
 const TEXT_SIZE: f64 = 15.0;
 const TITLE_SIZE: f64 = 22.0;
-/// Size of the numbers at axes.
-pub(super) const AXIS_SIZE: f64 = 13.0;
 /// Height of a line of the caption, and the free room below the last one.
 const CAPTION_LINE: f64 = 20.0;
 const CAPTION_END: f64 = 12.0;
@@ -38,26 +31,6 @@ const PIECES: u32 = 8;
 
 /// How the lines of axes are drawn.
 pub(super) const RULE: Style = Style { stroke: Some([0; 3]), width: 1.0, fill: None, dash: None };
-
-/// A rectangle: left, upper, right and lower edge.
-type Area = [f64; 4];
-
-/// A line of letters with its place.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Letters {
-    pub(super) text: String,
-    /// Where the base line begins.
-    pub(super) at: Point<2>,
-    /// Size of the font.
-    pub(super) size: f64,
-}
-
-impl Letters {
-    fn area(&self) -> Area {
-        let [x, y] = self.at;
-        [x, y - ASCENT * self.size, x + length(&self.text, self.size), y + DESCENT * self.size]
-    }
-}
 
 /// The measures of a picture.
 #[derive(Debug)]
@@ -272,11 +245,6 @@ fn below(top: f64, lines: &[String]) -> impl Iterator<Item = Letters> {
         let at = [left, top + CAPTION_LINE * f64::from(row) + TEXT_SIZE];
         Letters { text: text.clone(), at, size: TEXT_SIZE }
     })
-}
-
-/// The length of a line of letters.
-pub(super) fn length(text: &str, size: f64) -> f64 {
-    text.chars().count() as f64 * LETTER_WIDTH * size
 }
 
 /// A text without what neither XML nor a font can show.

@@ -9,7 +9,7 @@
 //!
 //! ```
 //! use grafika::figure::{Figure, Style};
-//! use grafika::geometry::{Closure, Curve, Method};
+//! use grafika::geometry::{Closure, Curve, Method, ParamCurve};
 //!
 //! let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
 //! let curve = Curve::through(Method::Spline, Closure::Closed, &points)?;
@@ -29,6 +29,7 @@
 mod axes;
 mod error;
 mod layout;
+mod letters;
 mod mesh;
 mod number;
 mod pdf;

@@ -2,7 +2,8 @@
 //! looks the same everywhere and needs no font; numbers are kept to single precision, as PDF has it.
 
 use super::FigureError;
-use super::layout::{LETTER_WIDTH, Layout, Letters, RULE};
+use super::layout::{Layout, RULE};
+use super::letters::{LETTER_WIDTH, Letters};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
 use super::raster::FONT;
 use crate::geometry::{Closure, CubicBezier, Point};

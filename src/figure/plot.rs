@@ -3,7 +3,7 @@
 
 use super::picture::{Figure, Style};
 use super::wireframe::{all_lines, visible_lines};
-use crate::geometry::{BoundingBox, Closure, CubicBezier, Grid, Point, View};
+use crate::geometry::{BoundingBox, Closure, CubicBezier, GeometryError, Grid, ParamCurve, Point, View};
 use crate::screen::Color;
 
 /// Greatest distance of a picture's arcs from the curve, by the size of the curve: far below a
@@ -53,16 +53,45 @@ pub fn tolerance<const D: usize>(bounds: Option<BoundingBox<D>>) -> f64 {
 }
 
 impl Figure {
-    /// Adds a curve of cubic arcs; one that returns to its beginning is closed.
-    pub fn plot_curve(&mut self, arcs: Vec<CubicBezier<2>>, ink: [u8; 3]) {
-        let closure = closure(&arcs);
-        self.curve(arcs, closure, Style::line(ink, CURVE_WIDTH));
+    /// Adds a curve of the plane, exactly where it is cubic, else as near as any picture can show; one that
+    /// returns to its beginning is closed.
+    ///
+    /// # Errors
+    /// Those of [`ParamCurve::to_cubics`]; rows of cubic arcs have none.
+    pub fn plot_curve(&mut self, curve: &dyn ParamCurve<2>, ink: [u8; 3]) -> Result<(), GeometryError> {
+        self.plot_arcs(arcs(curve)?, Style::line(ink, CURVE_WIDTH));
+        Ok(())
+    }
+
+    /// Adds a curve in space as a view shows it, as near as [`Figure::plot_curve`].
+    ///
+    /// # Errors
+    /// Those of [`ParamCurve::to_cubics`].
+    pub fn plot_space_curve(
+        &mut self,
+        curve: &dyn ParamCurve<3>,
+        view: &View,
+        ink: [u8; 3],
+    ) -> Result<(), GeometryError> {
+        // The projection is linear: it takes arcs to arcs.
+        let seen = |arc: CubicBezier<3>| CubicBezier { p: arc.p.map(|point| view.place(point)) };
+        let arcs = arcs(curve)?.into_iter().map(seen).collect();
+        self.plot_arcs(arcs, Style::line(ink, CURVE_WIDTH));
+        Ok(())
     }
 
     /// Adds a thin curve that others are compared with.
-    pub fn plot_target(&mut self, arcs: Vec<CubicBezier<2>>) {
+    ///
+    /// # Errors
+    /// As [`Figure::plot_curve`].
+    pub fn plot_target(&mut self, curve: &dyn ParamCurve<2>) -> Result<(), GeometryError> {
+        self.plot_arcs(arcs(curve)?, Style::line(EDGE, WIRE_WIDTH));
+        Ok(())
+    }
+
+    fn plot_arcs(&mut self, arcs: Vec<CubicBezier<2>>, style: Style) {
         let closure = closure(&arcs);
-        self.curve(arcs, closure, Style::line(EDGE, WIRE_WIDTH));
+        self.curve(arcs, closure, style);
     }
 
     /// Adds dashed lines from control point to control point.
@@ -114,13 +143,15 @@ impl Figure {
     }
 }
 
-/// The form of a row of arcs: one that returns to its beginning is closed; rounding does not count.
+/// The arcs that a curve is drawn by.
+fn arcs<const D: usize>(curve: &dyn ParamCurve<D>) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+    curve.to_cubics(tolerance(curve.bounding_box()))
+}
+
+/// The form of a curve: one that returns to its beginning is closed.
 #[must_use]
-pub fn closure(arcs: &[CubicBezier<2>]) -> Closure {
-    let (Some(first), Some(last)) = (arcs.first(), arcs.last()) else { return Closure::Open };
-    let largest = arcs.iter().flat_map(|arc| arc.p.iter().flatten()).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let apart = first.p[0].iter().zip(last.p[3]).any(|(a, b)| (a - b).abs() > 1e-12 * largest);
-    if apart { Closure::Open } else { Closure::Closed }
+pub fn closure(curve: &dyn ParamCurve<2>) -> Closure {
+    if curve.closed() { Closure::Closed } else { Closure::Open }
 }
 
 #[cfg(test)]
@@ -130,9 +161,9 @@ mod tests {
     #[test]
     fn a_curve_that_comes_back_is_closed() {
         let arc = |from: Point<2>, to: Point<2>| CubicBezier { p: [from, [1.0, 5.0], [5.0, 1.0], to] };
-        assert_eq!(closure(&[arc([0.0; 2], [9.0; 2]), arc([9.0; 2], [1e-14, 0.0])]), Closure::Closed);
-        assert_eq!(closure(&[arc([0.0; 2], [9.0; 2])]), Closure::Open);
-        assert_eq!(closure(&[]), Closure::Open);
+        assert_eq!(closure(&vec![arc([0.0; 2], [9.0; 2]), arc([9.0; 2], [1e-14, 0.0])]), Closure::Closed);
+        assert_eq!(closure(&vec![arc([0.0; 2], [9.0; 2])]), Closure::Open);
+        assert_eq!(closure(&Vec::new()), Closure::Open);
     }
 
     #[test]

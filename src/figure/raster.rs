@@ -4,7 +4,8 @@
 //! largest one needs some megabytes only.
 
 use super::FigureError;
-use super::layout::{LETTER_WIDTH, Layout, Letters, RULE};
+use super::layout::{Layout, RULE};
+use super::letters::{LETTER_WIDTH, Letters};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
 use crate::geometry::{Closure, CubicBezier, Point};
 use fontdue::{Font, FontSettings};

@@ -2,7 +2,8 @@
 //! maps the world to the picture; discs and letters stand outside of it, in nominal pixels.
 
 use super::FigureError;
-use super::layout::{Layout, Letters, RULE};
+use super::layout::{Layout, RULE};
+use super::letters::Letters;
 use super::number::Number;
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
 use crate::geometry::{Closure, CubicBezier, Point};

@@ -1,8 +1,10 @@
 //! Checks and facts that several formats share.
 
-use super::plane::MAX_POINTS;
 use super::{FileError, Format, settings};
 use serde::Serialize;
+
+/// The most points that the DOS formats hold.
+pub const MAX_POINTS: usize = 99;
 
 /// Points in the order of their axes.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];

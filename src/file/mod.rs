@@ -35,6 +35,7 @@ mod settings;
 mod space;
 pub mod wheel;
 
+pub use check::MAX_POINTS;
 pub use convert::{FileKind, convert};
 pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;
@@ -42,7 +43,7 @@ pub use error::FileError;
 pub use format::Format;
 pub use fourier::{Fourier, HARMONICS};
 pub use net::{Net, NetKind};
-pub use plane::{FIELD, MAX_POINTS, PlanePoints, Tangent, Tangents};
+pub use plane::{FIELD, PlanePoints, Tangent, Tangents};
 pub use settings::{CurveSettings, Method, NetSettings};
 pub use space::{SPACE_VIEW, SpacePoints};
 pub use wheel::BeadWheel;

@@ -4,14 +4,12 @@
 //! screen xr, yr. Record 0 holds the number of points in xp. In an `.EC2` file xp, yp are the full tangent
 //! vector, xr, yr the place of its tip, and record 0 means nothing.
 
-use super::check::{self, Bounds};
+use super::check::{self, Bounds, MAX_POINTS};
 use super::{CurveSettings, FileError, Format, settings};
 use crate::geometry::Shape;
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
 
-/// The most points that the DOS formats hold.
-pub const MAX_POINTS: usize = 99;
 /// Width and height of the drawing field in pixels; points of DOS files are whole numbers from 0 to these.
 pub const FIELD: [f64; 2] = [560.0, 380.0];
 

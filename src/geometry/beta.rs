@@ -6,8 +6,10 @@
 //! evaluated directly. With the same shape everywhere this is the beta-spline of
 //! [`Method::Beta`](super::Method::Beta).
 
-use super::point::{check_count, check_points};
-use super::{Closure, CubicBezier, GeometryError, MAX_SAMPLES, Method, Point, Sample};
+use super::jet::{Jet, Number};
+use super::param::{ParamCurve, clipped};
+use super::point::{add_scaled, check_count, check_points};
+use super::{Closure, GeometryError, Method, Point};
 use serde::{Deserialize, Serialize};
 
 /// Bias and tension of a beta-spline, or of one of its joints.
@@ -31,26 +33,14 @@ impl Shape {
     /// The shape on the way from this one to another, at `u` in 0..=1 (2.68).
     #[must_use]
     pub fn blend(self, other: Shape, u: f64) -> Shape {
-        let s = u * u * u * (10.0 - u * (15.0 - 6.0 * u));
-        Shape {
-            bias: (1.0 - s) * self.bias + s * other.bias,
-            tension: (1.0 - s) * self.tension + s * other.tension,
-        }
+        let [bias, tension] = blended([self, other], u);
+        Shape { bias, tension }
     }
 
     /// The weights of the four control points around a span at `u` (2.64); their sum is 1.
     #[must_use]
     pub fn weights(self, u: f64) -> [f64; 4] {
-        let Shape { bias: b1, tension: b2 } = self;
-        let (b12, b13) = (b1 * b1, b1 * b1 * b1);
-        let delta = b13 + 2.0 * (b12 + b1) + b2 + 1.0;
-        let (u2, u3, w) = (u * u, u * u * u, 1.0 - u);
-        let rising = b12 * u2 * (3.0 - u) + b1 * u * (3.0 - u2) + b2 * u2 * (3.0 - 2.0 * u) + 1.0 - u3;
-        let falling = b13 * u * (u2 - 3.0 * u + 3.0)
-            + b12 * (u3 - 3.0 * u2 + 2.0)
-            + b1 * (u3 - 3.0 * u + 2.0)
-            + b2 * (2.0 * u3 - 3.0 * u2 + 1.0);
-        [b13 * w * w * w / delta, falling / delta, rising / delta, u3 / delta]
+        weights([self.bias, self.tension], u)
     }
 
     /// The method that draws a beta-spline of this shape.
@@ -58,6 +48,29 @@ impl Shape {
     pub fn method(self) -> Method {
         Method::Beta { bias: self.bias, tension: self.tension }
     }
+}
+
+/// Bias and tension on the way from one shape to another (2.68).
+fn blended<N: Number>([from, to]: [Shape; 2], u: N) -> [N; 2] {
+    let n = N::from;
+    let s = u * u * u * (n(10.0) - u * (n(15.0) - n(6.0) * u));
+    let between = |from: f64, to: f64| (n(1.0) - s) * n(from) + s * n(to);
+    [between(from.bias, to.bias), between(from.tension, to.tension)]
+}
+
+/// The weights (2.64) of the four control points around a span, by bias and tension.
+fn weights<N: Number>([b1, b2]: [N; 2], u: N) -> [N; 4] {
+    let n = N::from;
+    let (b12, b13) = (b1 * b1, b1 * b1 * b1);
+    let delta = b13 + n(2.0) * (b12 + b1) + b2 + n(1.0);
+    let (u2, u3, w) = (u * u, u * u * u, n(1.0) - u);
+    let rising =
+        b12 * u2 * (n(3.0) - u) + b1 * u * (n(3.0) - u2) + b2 * u2 * (n(3.0) - n(2.0) * u) + n(1.0) - u3;
+    let falling = b13 * u * (u2 - n(3.0) * u + n(3.0))
+        + b12 * (u3 - n(3.0) * u2 + n(2.0))
+        + b1 * (u3 - n(3.0) * u + n(2.0))
+        + b2 * (n(2.0) * u3 - n(3.0) * u2 + n(1.0));
+    [b13 * w * w * w / delta, falling / delta, rising / delta, u3 / delta]
 }
 
 /// A beta-spline with a shape at every joint. Joint `i` lies near control point `i`.
@@ -122,123 +135,48 @@ impl<const D: usize> VaryingBeta<D> {
         Ok(())
     }
 
-    /// The number of spans: one less than the points when open, as many when closed.
-    #[must_use]
-    pub fn spans(&self) -> usize {
+    fn ends(&self, span: usize) -> [Shape; 2] {
+        let count = self.shapes.len();
+        [self.shapes[span % count], self.shapes[(span + 1) % count]]
+    }
+
+    /// The shapes of a span's ends and the control points around it.
+    fn window(&self, span: usize) -> Option<([Shape; 2], &[Point<D>])> {
+        let window = self.framed.get(span..span.checked_add(4)?)?;
+        (span < self.spans()).then(|| (self.ends(span), window))
+    }
+}
+
+impl<const D: usize> ParamCurve<D> for VaryingBeta<D> {
+    /// One less than the points when open, as many when closed.
+    fn spans(&self) -> usize {
         match self.closure {
             Closure::Open => self.shapes.len() - 1,
             Closure::Closed => self.shapes.len(),
         }
     }
 
-    /// A span in equal steps of u, both ends included; nothing if there is no such span.
-    pub fn span_points(&self, span: usize, steps: usize) -> impl Iterator<Item = Point<D>> {
-        (0..=steps).filter_map(move |step| self.eval(span, step as f64 / steps as f64))
+    fn closed(&self) -> bool {
+        self.closure == Closure::Closed
     }
 
-    /// Points of every span in equal steps of u: rows u = 0, 1/n, ... 1.
-    ///
-    /// # Errors
-    /// [`GeometryError::Samples`] for no steps at all or too many points.
-    pub fn sample(&self, steps: usize) -> Result<Vec<Sample<D>>, GeometryError> {
-        let most = (MAX_SAMPLES / self.spans()).saturating_sub(1);
-        if steps == 0 || steps > most {
-            return Err(GeometryError::Samples { per_span: steps, most });
-        }
-        let rows = (0..self.spans()).flat_map(|span| {
-            let points = self.span_points(span, steps).enumerate();
-            points.map(move |(step, point)| Sample { span, u: step as f64 / steps as f64, point })
-        });
-        Ok(rows.collect())
+    fn at(&self, span: usize, u: f64) -> Option<[Point<D>; 3]> {
+        let (shapes, window) = self.window(span)?;
+        let u = Jet::parameter(clipped(u));
+        let weights = weights(blended(shapes, u), u);
+        Some(std::array::from_fn(|order| weighted(weights.map(|Jet(values)| values[order]), window)))
     }
 
-    /// Cubic arcs that run through the curve and are nowhere further from it than the tolerance, in the
-    /// unit of the points. Compared at quarters of every arc, which is no proof but was never seen to fail.
-    ///
-    /// # Errors
-    /// [`GeometryError::ToleranceTooSmall`] if halving the arcs 20 times is not enough.
-    pub fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-        let mut arcs = Vec::new();
-        for span in 0..self.spans() {
-            self.add_cubics(span, [0.0, 1.0], tolerance, &mut arcs)?;
-        }
-        Ok(arcs)
-    }
-
-    fn add_cubics(
-        &self,
-        span: usize,
-        [from, to]: [f64; 2],
-        tolerance: f64,
-        arcs: &mut Vec<CubicBezier<D>>,
-    ) -> Result<(), GeometryError> {
-        let length = to - from;
-        let [start, a, b, end] =
-            [from, from + length / 3.0, to - length / 3.0, to].map(|u| self.point(span, u));
-        let arc = through(start, a, b, end);
-        let off = [0.125, 0.25, 0.5, 0.75, 0.875].into_iter().any(|t| {
-            let (ours, theirs) = (arc.eval(t), self.point(span, from + t * length));
-            ours.iter().zip(theirs).any(|(ours, theirs)| (ours - theirs).abs() > tolerance / 2.0)
-        });
-        if !off {
-            arcs.push(arc);
-            return Ok(());
-        }
-        if length < SHORTEST_ARC {
-            return Err(GeometryError::ToleranceTooSmall { value: tolerance, least: 2.0 * tolerance });
-        }
-        let middle = from + length / 2.0;
-        self.add_cubics(span, [from, middle], tolerance, arcs)?;
-        self.add_cubics(span, [middle, to], tolerance, arcs)
-    }
-
-    fn point(&self, span: usize, u: f64) -> Point<D> {
-        // The callers count the spans themselves.
-        self.eval(span, u).unwrap_or([0.0; D])
-    }
-
-    /// Where the spans join, the ends of an open curve included.
-    #[must_use]
-    pub fn joints(&self) -> Vec<Point<D>> {
-        let end = (self.closure == Closure::Open).then(|| self.eval(self.spans() - 1, 1.0)).flatten();
-        (0..self.spans()).filter_map(|span| self.eval(span, 0.0)).chain(end).collect()
-    }
-
-    fn ends(&self, span: usize) -> [Shape; 2] {
-        let count = self.shapes.len();
-        [self.shapes[span % count], self.shapes[(span + 1) % count]]
-    }
-
-    /// The point of a span at `u` in 0..=1; `None` if there is no such span.
-    #[must_use]
-    pub fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
-        if span >= self.spans() {
-            return None;
-        }
-        let [from, to] = self.ends(span);
-        let window = self.framed.get(span..span + 4)?;
-        let weights = from.blend(to, u).weights(u);
-        let mut point = [0.0; D];
-        for (weight, control) in weights.iter().zip(window) {
-            for (coordinate, &value) in point.iter_mut().zip(control) {
-                *coordinate += weight * value;
-            }
-        }
-        Some(point)
+    fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
+        let ([from, to], window) = self.window(span)?;
+        let u = clipped(u);
+        Some(weighted(from.blend(to, u).weights(u), window))
     }
 }
 
-/// The shortest arc, in the parameter of its span, that a span is cut into.
-const SHORTEST_ARC: f64 = 1e-6;
-
-/// The cubic arc through four points at u = 0, 1/3, 2/3, 1.
-fn through<const D: usize>(a: Point<D>, b: Point<D>, c: Point<D>, d: Point<D>) -> CubicBezier<D> {
-    let inner = |near: Point<D>, next: Point<D>, other: Point<D>, far: Point<D>| -> Point<D> {
-        std::array::from_fn(|axis| {
-            (-5.0 * near[axis] + 18.0 * next[axis] - 9.0 * other[axis] + 2.0 * far[axis]) / 6.0
-        })
-    };
-    CubicBezier { p: [a, inner(a, b, c, d), inner(d, c, b, a), d] }
+/// Weights times points.
+fn weighted<const D: usize>(weights: [f64; 4], points: &[Point<D>]) -> Point<D> {
+    weights.iter().zip(points).fold([0.0; D], |sum, (&weight, &point)| add_scaled(sum, weight, point))
 }
 
 /// In how many steps a span is searched for the critical tension.

@@ -1,8 +1,10 @@
 //! The Bézier curve by all control points: one arc of any degree (2.47)-(2.48).
 
 use super::arclen::integrate;
+use super::cubic::check_arcs;
 use super::method::Closure;
-use super::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference, within_limit};
+use super::param::{ParamCurve, check_tolerance, clipped};
+use super::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference};
 use super::{BoundingBox, CubicBezier, GeometryError, Point};
 
 /// A Bézier curve of degree `points - 1`, at least 1, with checked coordinates.
@@ -11,7 +13,7 @@ pub struct Bezier<const D: usize> {
     points: Vec<Point<D>>,
 }
 
-/// Smallest tolerance of [`Bezier::to_cubics`], by the largest coordinate.
+/// Smallest tolerance of the cubic arcs, by the largest coordinate.
 const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// How often a piece is halved at most. Its control points are then equal but for rounding, so
@@ -78,8 +80,27 @@ impl<const D: usize> Bezier<D> {
     /// The two parts before and after `u` (clipped to [0, 1]) by de Casteljau's algorithm.
     #[must_use]
     pub fn split(&self, u: f64) -> [Self; 2] {
-        let [left, right] = split(&self.points, u.clamp(0.0, 1.0));
+        let [left, right] = split(&self.points, clipped(u));
         [Self { points: left }, Self { points: right }]
+    }
+}
+
+/// One span.
+impl<const D: usize> ParamCurve<D> for Bezier<D> {
+    fn spans(&self) -> usize {
+        1
+    }
+
+    fn closed(&self) -> bool {
+        self.points.first() == self.points.last()
+    }
+
+    fn at(&self, span: usize, u: f64) -> Option<[Point<D>; 3]> {
+        (span == 0).then(|| [self.eval(u), self.derivative(u), self.second_derivative(u)])
+    }
+
+    fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
+        (span == 0).then(|| self.eval(u))
     }
 
     /// Cubic arcs that follow the curve at every parameter within `tolerance`, equal points and
@@ -89,11 +110,8 @@ impl<const D: usize> Bezier<D> {
     ///
     /// # Errors
     /// `tolerance` not positive or NaN, or below 1e-12 of the largest coordinate.
-    pub fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-        if tolerance.is_nan() || tolerance <= 0.0 {
-            let wanted = "a positive number";
-            return Err(GeometryError::Parameter { name: "tolerance", value: tolerance, wanted });
-        }
+    fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+        check_tolerance(tolerance)?;
         let largest = self.points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
         let least = LEAST_TOLERANCE * largest;
         if self.degree() > 3 && tolerance < least {
@@ -111,27 +129,21 @@ impl<const D: usize> Bezier<D> {
                 waiting.push((left, depth - 1));
             }
         }
-        match arcs.iter().position(|arc| !arc.p.iter().all(within_limit)) {
-            None => Ok(arcs),
-            Some(span) => Err(GeometryError::Overflow { span }),
-        }
+        check_arcs(arcs)
     }
 
     /// A box round the curve, never too small and too large by no more than 1e-13 of the box of
     /// its control points.
-    #[must_use]
-    pub fn bounding_box(&self) -> BoundingBox<D> {
+    fn bounding_box(&self) -> Option<BoundingBox<D>> {
         let coefficients = |d: usize, sign: f64| self.points.iter().map(|p| [sign * p[d]]).collect();
-        BoundingBox {
+        Some(BoundingBox {
             min: std::array::from_fn(|d| -largest_value(coefficients(d, -1.0))),
             max: std::array::from_fn(|d| largest_value(coefficients(d, 1.0))),
-        }
+        })
     }
 
-    /// The curve's length with an absolute error of about `accuracy`, which is not taken smaller
-    /// than 1e-14 of the control polygon (so 0 and NaN ask for the best possible).
-    #[must_use]
-    pub fn length(&self, accuracy: f64) -> f64 {
+    /// The accuracy is not taken smaller than 1e-14 of the control polygon.
+    fn length(&self, accuracy: f64) -> f64 {
         let legs = self.points.windows(2).map(|p| norm(scaled_difference(1.0, p[0], p[1])));
         let polygon: f64 = legs.sum();
         integrate(&|u| norm(self.derivative(u)), [0.0, 1.0], accuracy.max(1e-14 * polygon))
@@ -142,7 +154,7 @@ impl<const D: usize> Bezier<D> {
 /// value is the weighted mean of the points up to `k`, and `share` the part of the newest in it.
 /// The origin when there are no points.
 fn bernstein_sum<const D: usize>(points: impl ExactSizeIterator<Item = Point<D>>, u: f64) -> Point<D> {
-    let u = u.clamp(0.0, 1.0);
+    let u = clipped(u);
     let degree = points.len().saturating_sub(1);
     let mut share = 1.0;
     let mut mean = [0.0; D];
@@ -334,7 +346,7 @@ mod tests {
     #[test]
     fn box_of_a_line_is_exact() {
         let points: Vec<_> = (0..99).map(|i| [f64::from(i), 7.0]).collect();
-        let bounds = Bezier::new(Closure::Open, &points).unwrap().bounding_box();
+        let bounds = Bezier::new(Closure::Open, &points).unwrap().bounding_box().unwrap();
         assert_eq!((bounds.min, bounds.max), ([0.0, 7.0], [98.0, 7.0]));
     }
 }

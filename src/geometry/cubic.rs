@@ -1,8 +1,8 @@
 //! The cubic Bézier arc: what every piecewise curve is made of.
 
 use super::arclen::integrate;
-use super::point::{lerp, norm, scaled_difference};
-use super::{BoundingBox, Point};
+use super::point::{lerp, norm, scaled_difference, within_limit};
+use super::{BoundingBox, GeometryError, Point};
 
 /// A cubic Bézier arc (2.49), parameter `u` from 0 at `p[0]` to 1 at `p[3]`.
 ///
@@ -135,6 +135,16 @@ impl<const D: usize> CubicBezier<D> {
         let [a, b, c, d] = self.p;
         let (ab, bc, cd) = (lerp(a, b, u), lerp(b, c, u), lerp(c, d, u));
         lerp(lerp(ab, bc, v), lerp(bc, cd, v), w)
+    }
+}
+
+/// Hands the arcs on when all their points are within the limit.
+pub(super) fn check_arcs<const D: usize>(
+    arcs: Vec<CubicBezier<D>>,
+) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+    match arcs.iter().position(|arc| !arc.p.iter().all(within_limit)) {
+        None => Ok(arcs),
+        Some(span) => Err(GeometryError::Overflow { span }),
     }
 }
 

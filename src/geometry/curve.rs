@@ -1,10 +1,7 @@
 //! A whole curve: the arcs of a piecewise method, or the one arc of the Bézier curve.
 
 use super::method::{Closure, Method};
-use super::{Bezier, BoundingBox, CubicBezier, GeometryError, Point, Weights};
-
-/// The largest number of samples of one curve.
-pub const MAX_SAMPLES: usize = 1 << 24;
+use super::{Bezier, BoundingBox, CubicBezier, GeometryError, ParamCurve, Point, Weights};
 
 /// A curve made of spans, each with its own parameter `u` in [0, 1].
 #[derive(Clone, Debug, PartialEq)]
@@ -13,17 +10,6 @@ pub enum Curve<const D: usize> {
     Piecewise(Vec<CubicBezier<D>>),
     /// One span of any degree.
     Bezier(Bezier<D>),
-}
-
-/// A point of a curve with its place on it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample<const D: usize> {
-    /// The span, from 0.
-    pub span: usize,
-    /// The parameter in the span, 0 to 1.
-    pub u: f64,
-    /// The point.
-    pub point: Point<D>,
 }
 
 impl<const D: usize> Curve<D> {
@@ -41,141 +27,53 @@ impl<const D: usize> Curve<D> {
         weights.arcs(points).map(Self::Piecewise)
     }
 
-    /// The number of spans.
-    #[must_use]
-    pub fn spans(&self) -> usize {
+    /// What the curve is made of.
+    fn parts(&self) -> &dyn ParamCurve<D> {
         match self {
-            Self::Piecewise(arcs) => arcs.len(),
-            Self::Bezier(_) => 1,
+            Self::Piecewise(arcs) => arcs,
+            Self::Bezier(curve) => curve,
         }
     }
+}
 
-    /// The point of span `span` at `u`, which is clipped to [0, 1]; `None` outside the spans.
-    #[must_use]
-    pub fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
-        self.at(span, u, CubicBezier::eval, Bezier::eval)
+impl<const D: usize> ParamCurve<D> for Curve<D> {
+    fn spans(&self) -> usize {
+        self.parts().spans()
     }
 
-    /// The derivative by `u` there.
-    #[must_use]
-    pub fn derivative(&self, span: usize, u: f64) -> Option<Point<D>> {
-        self.at(span, u, CubicBezier::derivative, Bezier::derivative)
+    fn closed(&self) -> bool {
+        self.parts().closed()
     }
 
-    /// The second derivative by `u` there.
-    #[must_use]
-    pub fn second_derivative(&self, span: usize, u: f64) -> Option<Point<D>> {
-        self.at(span, u, CubicBezier::second_derivative, Bezier::second_derivative)
+    fn at(&self, span: usize, u: f64) -> Option<[Point<D>; 3]> {
+        self.parts().at(span, u)
     }
 
-    fn at(
-        &self,
-        span: usize,
-        u: f64,
-        cubic: impl Fn(&CubicBezier<D>, f64) -> Point<D>,
-        bezier: impl Fn(&Bezier<D>, f64) -> Point<D>,
-    ) -> Option<Point<D>> {
-        let u = u.clamp(0.0, 1.0);
-        match self {
-            Self::Piecewise(arcs) => arcs.get(span).map(|arc| cubic(arc, u)),
-            Self::Bezier(curve) => (span == 0).then(|| bezier(curve, u)),
-        }
+    fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
+        self.parts().eval(span, u)
     }
 
-    /// Samples at `u = 0, 1 / per_span, …, 1` of every span; joints come twice, with `u = 1` and
-    /// `u = 0`.
-    ///
-    /// # Errors
-    /// [`GeometryError::Samples`] for no steps or more than [`MAX_SAMPLES`] samples.
-    pub fn sample(&self, per_span: usize) -> Result<Vec<Sample<D>>, GeometryError> {
-        let rows = self.check_samples(per_span)?;
-        let mut points = vec![[0.0; D]; per_span + 1];
-        let mut samples = Vec::with_capacity(rows);
-        for span in 0..self.spans() {
-            self.sample_span(span, &mut points);
-            let sample = |(j, &point)| Sample { span, u: j as f64 / per_span as f64, point };
-            samples.extend(points.iter().enumerate().map(sample));
-        }
-        Ok(samples)
-    }
-
-    /// The points of a polyline along the curve, `per_span` steps on every span; joints come once.
-    ///
-    /// # Errors
-    /// As [`Curve::sample`].
-    pub fn polyline(&self, per_span: usize) -> Result<Vec<Point<D>>, GeometryError> {
-        if self.check_samples(per_span)? == 0 {
-            return Ok(Vec::new());
-        }
-        let mut points = vec![[0.0; D]; self.spans() * per_span + 1];
-        for span in 0..self.spans() {
-            let from = span * per_span;
-            // Within the length above.
-            self.sample_span(span, &mut points[from..=from + per_span]);
-        }
-        Ok(points)
-    }
-
-    /// The curve as cubic arcs: piecewise curves as they are, a Bézier curve of higher degree with
-    /// an error of no more than `tolerance` at any parameter (see [`Bezier::to_cubics`]).
-    ///
-    /// # Errors
-    /// A tolerance that is not positive or too small; piecewise curves take any.
-    pub fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-        match self {
-            Self::Piecewise(arcs) => Ok(arcs.clone()),
-            Self::Bezier(curve) => curve.to_cubics(tolerance),
-        }
-    }
-
-    /// The smallest box round the curve; `None` for a piecewise curve without arcs.
-    #[must_use]
-    pub fn bounding_box(&self) -> Option<BoundingBox<D>> {
-        match self {
-            Self::Piecewise(arcs) => arcs.iter().map(CubicBezier::bounding_box).reduce(BoundingBox::union),
-            Self::Bezier(curve) => Some(curve.bounding_box()),
-        }
-    }
-
-    /// The curve's length, every span with an absolute error of about `accuracy`.
-    #[must_use]
-    pub fn length(&self, accuracy: f64) -> f64 {
-        match self {
-            Self::Piecewise(arcs) => arcs.iter().map(|arc| arc.length(accuracy)).sum(),
-            Self::Bezier(curve) => curve.length(accuracy),
-        }
-    }
-
-    /// Fills `out` with points of one span at equal steps of `u`.
     fn sample_span(&self, span: usize, out: &mut [Point<D>]) {
-        match self {
-            Self::Piecewise(arcs) => {
-                if let Some(arc) = arcs.get(span) {
-                    arc.sample_into(out);
-                }
-            }
-            Self::Bezier(curve) => {
-                let steps = out.len().saturating_sub(1).max(1) as f64;
-                for (j, point) in out.iter_mut().enumerate() {
-                    *point = curve.eval(j as f64 / steps);
-                }
-            }
-        }
+        self.parts().sample_span(span, out);
     }
 
-    /// The number of samples for `per_span` steps.
-    fn check_samples(&self, per_span: usize) -> Result<usize, GeometryError> {
-        let most = (MAX_SAMPLES / self.spans().max(1)).saturating_sub(1);
-        if per_span == 0 || per_span > most {
-            return Err(GeometryError::Samples { per_span, most });
-        }
-        Ok(self.spans() * (per_span + 1))
+    fn bounding_box(&self) -> Option<BoundingBox<D>> {
+        self.parts().bounding_box()
+    }
+
+    fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+        self.parts().to_cubics(tolerance)
+    }
+
+    fn length(&self, accuracy: f64) -> f64 {
+        self.parts().length(accuracy)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::MAX_SAMPLES;
 
     const SQUARE: [Point<2>; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
 
@@ -208,7 +106,7 @@ mod tests {
     fn places_outside_are_clipped_or_none() {
         let curve = curve(Method::Spline);
         assert_eq!(curve.eval(3, 0.5), None);
-        assert_eq!(curve.derivative(usize::MAX, 0.5), None);
+        assert_eq!(curve.at(usize::MAX, 0.5), None);
         assert_eq!(curve.eval(0, -7.0), Some(SQUARE[0]));
         assert_eq!(curve.eval(2, 1e300), Some(SQUARE[3]));
     }

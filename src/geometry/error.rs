@@ -1,5 +1,6 @@
 //! What can be wrong with points and parameters, in sentences.
 
+use super::limits::COORDINATE_LIMIT;
 use std::fmt;
 
 /// Why a curve or its weights cannot be computed. Points are counted from 1, as users see them.
@@ -148,13 +149,11 @@ impl fmt::Display for GeometryError {
             Self::NotFinite { number } => {
                 write!(f, "point {number} has a coordinate that is not a finite number")
             }
-            Self::TooLarge { number, value } => write!(
-                f,
-                "point {number} has the coordinate {value:e}, larger than {:e}",
-                super::COORDINATE_LIMIT
-            ),
+            Self::TooLarge { number, value } => {
+                write!(f, "point {number} has the coordinate {value:e}, larger than {:e}", COORDINATE_LIMIT)
+            }
             Self::Overflow { span } => {
-                write!(f, "span {span} of the curve leaves the range of {:e}", super::COORDINATE_LIMIT)
+                write!(f, "span {span} of the curve leaves the range of {COORDINATE_LIMIT:e}")
             }
             Self::Parameter { name, value, wanted } => write!(f, "{name} is {value}, but must be {wanted}"),
             Self::ToleranceTooSmall { value, least } => {
@@ -173,7 +172,7 @@ impl fmt::Display for GeometryError {
             Self::Coefficient { name, harmonic, value } => write!(
                 f,
                 "{name} of harmonic {harmonic} is {value}, but must be a number of at most {:e}",
-                super::COORDINATE_LIMIT
+                COORDINATE_LIMIT
             ),
             Self::TooManyHarmonics { given, most } => {
                 write!(f, "too many harmonics: {given} given, at most {most} allowed")

@@ -6,21 +6,24 @@
 
 mod bound;
 mod fit;
+mod turn;
 
 pub use fit::{ClosedPath, Deviation};
 
-use super::curve::MAX_SAMPLES;
-use super::point::{COORDINATE_LIMIT, within_limit};
-use super::{BoundingBox, CubicBezier, GeometryError, Point, Sample};
+use super::limits::COORDINATE_LIMIT;
+use super::param::{ParamCurve, check_tolerance, clipped};
+use super::point::within_limit;
+use super::{BoundingBox, CubicBezier, GeometryError, Point};
 use std::f64::consts::{PI, TAU};
+use turn::turn;
 
 /// The largest number of harmonics of one curve.
 pub const MAX_HARMONICS: usize = 1 << 12;
 
-/// The largest number of arcs of [`Fourier::to_cubics`].
+/// The largest number of cubic arcs.
 const MAX_ARCS: f64 = 1048576.0;
 
-/// Smallest tolerance of [`Fourier::to_cubics`], by the sum of the amplitudes.
+/// Smallest tolerance of the cubic arcs, by the sum of the amplitudes.
 const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// How many samples are computed side by side, so that the compiler can use vector registers.
@@ -126,10 +129,11 @@ impl<const D: usize> Fourier<D> {
         point
     }
 
-    /// The derivative by `u` at `u`.
+    /// The derivative by `u` at any finite `u`.
     #[must_use]
     pub fn derivative(&self, u: f64) -> Point<D> {
-        self.hodograph().eval(u)
+        let [_, derivative, _] = self.derivatives(turn(u));
+        derivative
     }
 
     /// The derivative by `u` as a curve of its own. Its coefficients may pass the coordinate limit by
@@ -141,37 +145,6 @@ impl<const D: usize> Fourier<D> {
             Harmonic { sin: h.cos.map(|c| -speed * c), cos: h.sin.map(|s| speed * s) }
         };
         Self { offset: [0.0; D], harmonics: self.harmonics.iter().enumerate().map(harmonic).collect() }
-    }
-
-    /// Samples at `u = 0, 1 / steps, …, 1`; the last point is the first one again, exactly.
-    ///
-    /// # Errors
-    /// [`GeometryError::Samples`] for no steps or more than [`MAX_SAMPLES`] samples.
-    pub fn sample(&self, steps: usize) -> Result<Vec<Sample<D>>, GeometryError> {
-        let points = self.polyline(steps)?;
-        let sample = |(j, point)| Sample { span: 0, u: j as f64 / steps as f64, point };
-        Ok(points.into_iter().enumerate().map(sample).collect())
-    }
-
-    /// The `steps + 1` points of a polyline round the curve.
-    ///
-    /// # Errors
-    /// As [`Fourier::sample`].
-    pub fn polyline(&self, steps: usize) -> Result<Vec<Point<D>>, GeometryError> {
-        if steps == 0 || steps >= MAX_SAMPLES {
-            return Err(GeometryError::Samples { per_span: steps, most: MAX_SAMPLES - 1 });
-        }
-        let mut points = vec![[0.0; D]; steps + 1];
-        let at = |j: usize| turn(j as f64 / steps as f64);
-        let (blocks, rest) = points.as_chunks_mut::<LANES>();
-        let done = blocks.len() * LANES;
-        for (block, points) in blocks.iter_mut().enumerate() {
-            *points = self.sum(std::array::from_fn(|lane| at(block * LANES + lane)));
-        }
-        for (j, point) in rest.iter_mut().enumerate() {
-            [*point] = self.sum([at(done + j)]);
-        }
-        Ok(points)
     }
 
     /// The points at `N` places given by sine and cosine of `t`. Sine and cosine of `k t` come by
@@ -207,20 +180,72 @@ impl<const D: usize> Fourier<D> {
         sums
     }
 
-    /// A box round the curve: never too small but for rounding, and too large by no more than 1e-12
-    /// of the sum of the amplitudes.
-    #[must_use]
-    pub fn bounding_box(&self) -> BoundingBox<D> {
-        BoundingBox {
-            min: std::array::from_fn(|d| -bound::largest_value(&self.terms(d, -1.0))),
-            max: std::array::from_fn(|d| bound::largest_value(&self.terms(d, 1.0))),
-        }
-    }
-
     /// One coordinate times a sign: the offset, then sine and cosine coefficient of every harmonic.
     fn terms(&self, d: usize, sign: f64) -> bound::Terms {
         let pairs = self.harmonics.iter().map(|h| [sign * h.sin[d], sign * h.cos[d]]).collect();
         bound::Terms { offset: sign * self.offset[d], pairs }
+    }
+
+    /// Point, first and second derivative by `u` at a place given by sine and cosine of `t`; the point is the very
+    /// one of [`Fourier::sum`].
+    fn derivatives(&self, [sin, cos]: [f64; 2]) -> [Point<D>; 3] {
+        let (mut sin_k, mut cos_k) = (sin, cos);
+        let [mut point, mut first, mut second] = [self.offset, [0.0; D], [0.0; D]];
+        for (k, harmonic) in self.harmonics.iter().enumerate() {
+            let speed = TAU * (k + 1) as f64;
+            for d in 0..D {
+                let value = harmonic.sin[d] * sin_k + harmonic.cos[d] * cos_k;
+                point[d] += value;
+                first[d] += speed * (harmonic.sin[d] * cos_k - harmonic.cos[d] * sin_k);
+                second[d] -= speed * speed * value;
+            }
+            (sin_k, cos_k) = (sin_k * cos + cos_k * sin, cos_k * cos - sin_k * sin);
+        }
+        [point, first, second]
+    }
+}
+
+/// One span, once round. The last sample is the first one again, exactly.
+impl<const D: usize> ParamCurve<D> for Fourier<D> {
+    fn spans(&self) -> usize {
+        1
+    }
+
+    fn closed(&self) -> bool {
+        true
+    }
+
+    fn at(&self, span: usize, u: f64) -> Option<[Point<D>; 3]> {
+        (span == 0).then(|| self.derivatives(turn(clipped(u))))
+    }
+
+    fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
+        (span == 0).then(|| self.eval(clipped(u)))
+    }
+
+    fn sample_span(&self, span: usize, out: &mut [Point<D>]) {
+        if span > 0 {
+            return;
+        }
+        let steps = out.len().saturating_sub(1).max(1) as f64;
+        let at = |j: usize| turn(j as f64 / steps);
+        let (blocks, rest) = out.as_chunks_mut::<LANES>();
+        let done = blocks.len() * LANES;
+        for (block, points) in blocks.iter_mut().enumerate() {
+            *points = self.sum(std::array::from_fn(|lane| at(block * LANES + lane)));
+        }
+        for (j, point) in rest.iter_mut().enumerate() {
+            [*point] = self.sum([at(done + j)]);
+        }
+    }
+
+    /// A box round the curve: never too small but for rounding, and too large by no more than 1e-12
+    /// of the sum of the amplitudes.
+    fn bounding_box(&self) -> Option<BoundingBox<D>> {
+        Some(BoundingBox {
+            min: std::array::from_fn(|d| -bound::largest_value(&self.terms(d, -1.0))),
+            max: std::array::from_fn(|d| bound::largest_value(&self.terms(d, 1.0))),
+        })
     }
 
     /// Cubic arcs of equal steps of `u` that follow the curve at every parameter within `tolerance`,
@@ -231,11 +256,8 @@ impl<const D: usize> Fourier<D> {
     /// # Errors
     /// `tolerance` not positive or NaN; [`GeometryError::ToleranceTooSmall`] below 1e-12 of the sum
     /// of the amplitudes, or when more than a million arcs were needed.
-    pub fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-        if tolerance.is_nan() || tolerance <= 0.0 {
-            let wanted = "a positive number";
-            return Err(GeometryError::Parameter { name: "tolerance", value: tolerance, wanted });
-        }
+    fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+        check_tolerance(tolerance)?;
         let fourth = super::point::norm(self.sums(|k| (TAU * k).powi(4)));
         let for_arcs = fourth / 384.0 / MAX_ARCS.powi(4);
         let least = for_arcs.max(LEAST_TOLERANCE * super::point::norm(self.sums(|_| 1.0)));
@@ -251,20 +273,6 @@ impl<const D: usize> Fourier<D> {
             CubicBezier::from_hermite(p[0], p[1], scaled(&v[0]), scaled(&v[1]))
         };
         Ok(points.windows(2).zip(tangents.windows(2)).map(arc).collect())
-    }
-}
-
-/// Sine and cosine of `u` turns. Whole and quarter turns are taken off first, without rounding, so
-/// that no accuracy is lost in many turns, and quarters have their exact values.
-fn turn(u: f64) -> [f64; 2] {
-    let part = u - u.round();
-    let quarters = (4.0 * part).round();
-    let (sin, cos) = (TAU * (part - 0.25 * quarters)).sin_cos();
-    match quarters as i32 {
-        0 => [sin, cos],
-        1 => [cos, -sin],
-        -1 => [-cos, sin],
-        _ => [-sin, -cos],
     }
 }
 

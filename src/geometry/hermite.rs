@@ -1,8 +1,8 @@
 //! Curves by control points and tangents (Coons-Hermite, 2.13), with tangents from anywhere.
 
+use super::cubic::check_arcs;
 use super::method::Closure;
 use super::point::{add_scaled, check_count, check_points, scaled_difference};
-use super::weights::check_arcs;
 use super::{CubicBezier, GeometryError, Method, Point};
 
 impl<const D: usize> CubicBezier<D> {

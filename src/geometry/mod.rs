@@ -13,7 +13,7 @@
 //! A closed spline through four points, and the middle of its first arc:
 //!
 //! ```
-//! use grafika::geometry::{Closure, Curve, Method};
+//! use grafika::geometry::{Closure, Curve, Method, ParamCurve};
 //!
 //! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
 //! let curve = Curve::through(Method::Spline, Closure::Closed, &square)?;
@@ -47,7 +47,10 @@ mod error;
 mod fourier;
 mod hermite;
 mod hidden;
+mod jet;
+mod limits;
 mod method;
+mod param;
 mod point;
 mod smooth;
 mod spline;
@@ -62,13 +65,15 @@ pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
 pub use bounds::BoundingBox;
 pub use cubic::CubicBezier;
-pub use curve::{Curve, MAX_SAMPLES, Sample};
+pub use curve::Curve;
 pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
+pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
-pub use point::{COORDINATE_LIMIT, MAX_POINTS, Point, cross, dot};
+pub use param::{ParamCurve, Sample};
+pub use point::{Point, cross, dot};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };

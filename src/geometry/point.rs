@@ -1,16 +1,10 @@
 //! Points of the plane and of space as plain arrays, and the checks every list of them passes.
 
 use super::GeometryError;
+use super::limits::{COORDINATE_LIMIT, MAX_POINTS};
 
 /// A point or vector with `D` coordinates (2 in the plane, 3 in space), in the caller's units.
 pub type Point<const D: usize> = [f64; D];
-
-/// The largest coordinate accepted and produced. Products of two derivatives of such curves are
-/// still finite doubles, so nothing computed from an accepted curve overflows.
-pub const COORDINATE_LIMIT: f64 = 1e150;
-
-/// The largest number of control points of one curve.
-pub const MAX_POINTS: usize = 1 << 20;
 
 /// `a` at `u = 0`, `b` at `u = 1`, both exactly.
 pub(super) fn lerp<const D: usize>(a: Point<D>, b: Point<D>, u: f64) -> Point<D> {

@@ -12,7 +12,7 @@
 //! smoothing of closed curves.
 
 use super::point::{check_count, check_points, norm};
-use super::{Bezier, Closure, Curve, GeometryError, Method, Point};
+use super::{Bezier, Closure, Curve, GeometryError, Method, ParamCurve, Point};
 
 /// The fewest measured points that can be smoothed.
 pub const FEWEST_MEASURED: usize = 3;

@@ -4,8 +4,9 @@
 //! set serves every redraw while points move, every coordinate, and both directions of a surface:
 //! weights along `v` for each row of the net, then weights along `u` for each column of results.
 
+use super::cubic::check_arcs;
 use super::method::{Closure, Ends, Method};
-use super::point::{check_count, check_points, within_limit};
+use super::point::{check_count, check_points};
 use super::spline::Spline;
 use super::window::{Window, windows};
 use super::{CubicBezier, GeometryError, Point};
@@ -106,15 +107,5 @@ fn other_rule(method: Method, ends: Ends, n: usize) -> Result<Rule, GeometryErro
         (Method::Spline, Ends::Closed) => Ok(Rule::Spline(Spline::periodic(n))),
         (Method::Spline, _) => Err(GeometryError::EndsNotOffered { method: method.name() }),
         _ => Err(GeometryError::NotPiecewise { method: method.name() }),
-    }
-}
-
-/// Hands the arcs on when all their points are within the limit.
-pub(super) fn check_arcs<const D: usize>(
-    arcs: Vec<CubicBezier<D>>,
-) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-    match arcs.iter().position(|arc| !arc.p.iter().all(within_limit)) {
-        None => Ok(arcs),
-        Some(span) => Err(GeometryError::Overflow { span }),
     }
 }

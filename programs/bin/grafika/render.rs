@@ -9,7 +9,7 @@ use grafika::figure::{
     surface_step, tolerance,
 };
 use grafika::file::SPACE_VIEW;
-use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, View};
+use grafika::geometry::{BoundingBox, Closure, CubicBezier, ParamCurve, Point, View};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
@@ -93,7 +93,7 @@ impl Render {
                 self.figure(&points, curve.to_cubics(tolerance).map_err(Failure::work)?)
             }
             Curved::Fourier(curve) => {
-                let tolerance = tolerance(Some(curve.bounding_box()));
+                let tolerance = tolerance(curve.bounding_box());
                 self.figure(&[], curve.to_cubics(tolerance).map_err(Failure::work)?)
             }
             Curved::Space(points, curve) => {
@@ -202,7 +202,8 @@ impl Render {
         if self.polygon {
             figure.plot_polygon(points.to_vec(), closure(&arcs));
         }
-        figure.plot_curve(arcs, CURVE_INK);
+        // Arcs are drawn as they are.
+        let _ = figure.plot_curve(&arcs, CURVE_INK);
         if self.points {
             figure.plot_points(points);
         }

@@ -2,8 +2,9 @@
 
 use super::coefficient::{Coefficient, Column, curve};
 use super::{Editor, Stage, layout};
-use crate::figure::{CURVE_INK, Figure, tolerance};
+use crate::figure::{CURVE_INK, Figure};
 use crate::file::Fourier;
+use crate::geometry::ParamCurve;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Button, Picture, TOP, page, words};
@@ -37,9 +38,9 @@ impl Picture for Editor {
         let curve = curve(self.shown()?).ok()?;
         let mut figure = Figure::new();
         if let Some(target) = &self.target {
-            figure.plot_target(target.path.arcs().to_vec());
+            figure.plot_target(&target.path.arcs().to_vec()).ok()?;
         }
-        figure.plot_curve(curve.to_cubics(tolerance(Some(curve.bounding_box()))).ok()?, CURVE_INK);
+        figure.plot_curve(&curve, CURVE_INK).ok()?;
         Some(figure)
     }
 }

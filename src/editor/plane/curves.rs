@@ -7,7 +7,8 @@ use crate::editor::beta;
 use crate::editor::choice::{BETA_STEPS, Choice};
 use crate::figure::tolerance;
 use crate::geometry::{
-    BoundingBox, Closure, CubicBezier, Curve, GeometryError, Method, Point, VaryingBeta, hermite_arcs,
+    BoundingBox, Closure, CubicBezier, Curve, GeometryError, Method, ParamCurve, Point, VaryingBeta,
+    hermite_arcs,
 };
 use crate::screen::{Color, Screen, Stroke};
 use serde::Serialize;
@@ -107,9 +108,7 @@ pub(super) fn pixels(tools: Tools, choice: Choice, sketch: &Sketch) -> Result<Pi
     };
     let line = match &traced {
         Traced::Plain(curve) => screen_line(curve.polyline(steps)?),
-        Traced::Varying(curve) => {
-            screen_line((0..curve.spans()).flat_map(|span| curve.span_points(span, steps)))
-        }
+        Traced::Varying(curve) => screen_line(curve.polyline(steps)?),
     };
     Ok(Pixels { line, joints: places(traced.joints(tools, choice.closure)) })
 }

@@ -37,7 +37,7 @@ impl Editor {
             if let Some(arc) = arcs.get(part) {
                 figure.text(arc.eval(0.5), name);
             }
-            figure.plot_curve(arcs, print_ink(color));
+            let Ok(()) = figure.plot_curve(&arcs, print_ink(color)) else { continue };
         }
         let shown = self.shown.visible || matches!(self.stage, Stage::Result { .. });
         let Some(choice) = self.shown.choice.filter(|_| shown) else { return };
@@ -47,7 +47,7 @@ impl Editor {
 
     fn add_chosen(&self, figure: &mut Figure, traced: &Traced, choice: Choice, sketch: &Sketch) {
         let Ok(arcs) = traced.arcs(sketch.points()) else { return };
-        figure.plot_curve(arcs, CURVE_INK);
+        let Ok(()) = figure.plot_curve(&arcs, CURVE_INK) else { return };
         for joint in traced.joints(self.tools, choice.closure) {
             figure.plot_joint(joint);
         }

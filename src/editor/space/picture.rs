@@ -5,8 +5,8 @@ use crate::editor::axes::{draw_axes, draw_legend};
 use crate::editor::beta;
 use crate::editor::choice::COMMANDS;
 use crate::editor::field::{ground, numbered_disc, on_disc, surroundings};
-use crate::figure::{Axes, CURVE_INK, Figure, tolerance};
-use crate::geometry::{BoundingBox, CubicBezier, Point};
+use crate::figure::{Axes, CURVE_INK, Figure};
+use crate::geometry::{BoundingBox, ParamCurve, Point};
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Picture, TOP, page, words};
@@ -29,12 +29,9 @@ impl Picture for Editor {
         let shown = self.shown.visible || self.held.is_some() || matches!(self.stage, Stage::Result { .. });
         if let Some(choice) = self.shown.choice.filter(|_| shown)
             && let Ok(curve) = choice.curve(points)
-            && let Ok(arcs) = curve.to_cubics(tolerance(curve.bounding_box()))
+            && figure.plot_space_curve(&curve, &view, CURVE_INK).is_ok()
         {
             bounds = curve.bounding_box().map_or(bounds, |of_curve| bounds.union(of_curve));
-            // The projection is linear: it takes arcs to arcs.
-            let arcs = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(|p| view.place(p)) });
-            figure.plot_curve(arcs.collect(), CURVE_INK);
             let joints =
                 if self.tools == Tools::Beta { beta::joints(&curve, choice.closure) } else { vec![] };
             joints.into_iter().for_each(|joint| figure.plot_joint(view.place(joint)));

@@ -1,7 +1,7 @@
 //! The largest value of a trigonometric polynomial, by dividing the turn and dropping what cannot
 //! reach the best value known.
 
-use super::turn;
+use super::turn::turn;
 use std::f64::consts::TAU;
 
 /// Derivatives that the bound of a piece uses; the next one is bounded over the whole turn.

@@ -3,10 +3,11 @@
 //! The coefficients are the integrals of the path times sines and cosines. The partial sum is then
 //! the curve of so many harmonics with the least mean square distance at equal parameters.
 
-use super::{Fourier, Harmonic, MAX_HARMONICS, turn};
+use super::turn::turn;
+use super::{Fourier, Harmonic, MAX_HARMONICS};
 use crate::geometry::arclen::GAUSS;
 use crate::geometry::point::{add_scaled, check_count, check_points, lerp, norm, scaled_difference};
-use crate::geometry::{Closure, CubicBezier, Curve, GeometryError, Method, Point};
+use crate::geometry::{Closure, CubicBezier, Curve, GeometryError, Method, ParamCurve, Point};
 use std::f64::consts::TAU;
 
 /// The fewest points of a closed path.
