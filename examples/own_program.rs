@@ -5,7 +5,7 @@
 //!     cargo run --example own_program -- --display terminal
 
 use grafika::launch::{Program, no_file};
-use grafika::machine::{Key, Language, Machine, Quit};
+use grafika::machine::{Asked, Key, Language, Machine};
 use grafika::screen::{Color, Screen};
 use grafika::ui::{Area, Desk, Manual, Picture, Words, sunken};
 use serde::Serialize;
@@ -66,7 +66,7 @@ impl Triangle {
     }
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let mut desk = Desk::new(machine, MANUAL);
     let mut triangle = Triangle { rows: 64, modulus: 2 };
     loop {

@@ -3,7 +3,7 @@
 
 use grafika::cursor;
 use grafika::launch::{Program, no_file};
-use grafika::machine::{Button, Key, Language, Machine, Mouse, Pointer, Quit, Tick};
+use grafika::machine::{Asked, Button, Key, Language, Machine, Mouse, Pointer, Tick};
 use grafika::screen::{HEIGHT, Masks, Screen, WIDTH};
 use grafika::ui::{Area, Desk, Lesson, Manual, Words};
 use serde::Serialize;
@@ -119,13 +119,13 @@ struct Model {
     right_shut: bool,
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let ended = both_parts(&mut Desk::new(machine, MANUAL)).await;
     machine.set_pointer(Pointer::Shown(&Masks::ARROW));
     ended
 }
 
-async fn both_parts(desk: &mut Desk<'_>) -> Result<(), Quit> {
+async fn both_parts(desk: &mut Desk<'_>) -> Asked<()> {
     desk.machine.put_mouse(WIDTH / 2, HEIGHT / 2);
     for part in [Part::Quarters, Part::Face] {
         let background = part.screen();

@@ -27,7 +27,7 @@ mod texts;
 use clap::{Args, Command, FromArgMatches};
 pub(crate) use command::{Install, examples};
 use grafika::launch::{Failure, Program, exit, no_file};
-use grafika::machine::{Machine, Quit};
+use grafika::machine::{Asked, Machine};
 use grafika::textmode::on_machine;
 use grafika::ui::{Manual, Words};
 use installer::Installer;
@@ -44,7 +44,7 @@ const MANUAL: Manual = Manual {
 pub(crate) const PROGRAM: Program =
     Program { manual: MANUAL, chapter: "5", run: |machine, _| Box::pin(run(machine)), check: no_file };
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let folder = place::offered().display().to_string();
     let find = Box::new(place::executable);
     on_machine(machine, &mut Installer::new(machine.language(), folder, None, find)).await

@@ -7,7 +7,7 @@ mod motion;
 mod panel;
 
 use grafika::launch::{Program, no_file};
-use grafika::machine::{Button, Key, Machine, Mouse, Quit, Tick};
+use grafika::machine::{Asked, Button, Key, Machine, Mouse, Tick};
 use grafika::ui::{Desk, Lesson, Manual, Words};
 use motion::{Motion, STEPS_PER_SECOND};
 use panel::{HANDLE_RADIUS, Panel, STICK};
@@ -128,7 +128,7 @@ impl Joystick {
     }
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     machine.put_mouse(STICK.0, STICK.1);
     let mut desk = Desk::new(machine, MANUAL);
     let mut panel = Panel::new();

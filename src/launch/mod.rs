@@ -20,7 +20,7 @@ pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::write_output;
 
 use crate::file::{Document, Format};
-use crate::machine::{Language, Machine, Quit, SAMPLES, Session};
+use crate::machine::{Asked, Language, Machine, SAMPLES, Session};
 use crate::ui::{Manual, Phrase};
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
@@ -29,7 +29,7 @@ use std::pin::Pin;
 use std::process::ExitCode;
 
 /// A running program: ready when it has ended.
-pub type Run<'m> = Pin<Box<dyn Future<Output = Result<(), Quit>> + 'm>>;
+pub type Run<'m> = Pin<Box<dyn Future<Output = Asked<()>> + 'm>>;
 
 /// The check of a program that works without any file.
 ///

@@ -8,7 +8,7 @@ mod preview;
 use crate::PROGRAMS;
 use demo::DEMOS;
 use grafika::launch::Program;
-use grafika::machine::{Key, Language, Machine, Quit, Tick};
+use grafika::machine::{Asked, Asking, Key, Language, Machine, Stop, Tick};
 use grafika::screen::{Color, Direction, Screen};
 use grafika::ui::{Area, Desk, Manual, Picture, Words, sunken};
 use layout::{Line, lines, picture_area};
@@ -232,7 +232,7 @@ impl Menu {
     }
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let mut menu = Menu { chosen: 0, search: String::new(), previews: BTreeMap::new() };
     let mut desk = Desk::new(machine, MANUAL);
     let (mut seen, mut shown) = (desk.machine.now(), desk.machine.now());
@@ -250,13 +250,13 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
                 Next::Stay => {}
                 Next::End => return Ok(()),
                 Next::Start => {
-                    let program = PROGRAMS.get(menu.chosen).ok_or(Quit)?;
+                    let program = PROGRAMS.get(menu.chosen).ok_or(Stop::Closed)?;
                     desk.machine.set_file(None);
                     desk.machine.invite();
                     let ended = (program.run)(desk.machine, None).await;
                     // Esc brings back here; the close button closes the menu too.
                     if !desk.machine.see_off() {
-                        ended?;
+                        ended.unless_cancelled()?;
                     }
                 }
             }

@@ -28,7 +28,7 @@ use super::drawing::{self, Edit, Place};
 use super::stage::Stage;
 use crate::file::{Document, Format};
 use crate::geometry::{Closure, Point};
-use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
+use crate::machine::{Asked, Asking, Button, Event, Key, Machine, Storage, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Desk, Manual, Stay, Words};
 use curves::Kind;
@@ -97,13 +97,13 @@ struct Model {
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed and nothing is left to save.
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed and nothing is left to save.
 pub async fn run(
     machine: &mut Machine,
     manual: Manual,
     tools: Tools,
     document: Option<Document>,
-) -> Result<(), Quit> {
+) -> Asked<()> {
     configuration::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
 }
 
@@ -167,7 +167,7 @@ impl Configuration for Editor {
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         self.held = None;
         if let Some(remark) = self.remark.take() {
             desk.tell(remark, Stay::UntilRead);
@@ -176,7 +176,7 @@ impl Configuration for Editor {
             self.stage = Stage::Working;
             if std::mem::take(&mut self.offer_tangents) {
                 configuration::keep(self, desk);
-                self.offer_automatic_tangents(desk).await?;
+                self.offer_automatic_tangents(desk).await.unless_cancelled()?;
             }
             let tick = event(self, desk).await?;
             if self.held.is_some() {
@@ -184,12 +184,12 @@ impl Configuration for Editor {
             } else if common_key(self, desk, tick.key()).await? {
                 self.shown.after_change();
             } else if let Some(letter) = self.command(&tick) {
-                let next = self.obey(desk, letter).await?;
+                let next = self.obey(desk, letter).await.unless_cancelled()?.unwrap_or(Next::Work);
                 if next != Next::Work {
                     return Ok(next);
                 }
             } else if let Some(Key::F(number)) = tick.key() {
-                self.function_key(desk, number).await?;
+                self.function_key(desk, number).await.unless_cancelled()?;
             }
         }
     }
@@ -255,7 +255,7 @@ impl Editor {
         }
     }
 
-    async fn function_key(&mut self, desk: &mut Desk<'_>, number: u8) -> Result<(), Quit> {
+    async fn function_key(&mut self, desk: &mut Desk<'_>, number: u8) -> Asked<()> {
         match (number, self.tools) {
             (3, _) => self.shown.toggle_follow(desk),
             (4, Tools::Methods) => self.compare(desk).await?,
