@@ -7,7 +7,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use grafika::editor::{net, plane, space};
 use grafika::file::{Document, Format, NetKind, PlanePoints, SpacePoints};
-use grafika::machine::{Event, Key, Machine, Memory, Quit, Script, Session, Settings, Storage, play};
+use grafika::machine::{Asked, Event, Key, Machine, Memory, Script, Session, Settings, Storage, play};
 use grafika::ui::{Manual, Words};
 use std::hint::black_box;
 use std::process::Command;
@@ -43,7 +43,7 @@ fn stored() -> Memory {
 }
 
 /// A session of a program after a script.
-fn session<F: Future<Output = Result<(), Quit>> + 'static>(
+fn session<F: Future<Output = Asked<()>> + 'static>(
     program: impl FnOnce(Machine) -> F,
     script: &str,
 ) -> Session {

@@ -3,7 +3,7 @@
 //!
 //! `display_probe window [SCALE] | terminal [hu|en]`
 
-use grafika::machine::{Event, Key, Language, Machine, Memory, Quit, Session, Settings};
+use grafika::machine::{Asked, Event, Key, Language, Machine, Memory, Session, Settings};
 use grafika::screen::{Color, Stroke};
 
 struct State {
@@ -37,7 +37,7 @@ fn draw(machine: &mut Machine, state: &State) {
     }
 }
 
-async fn probe(mut machine: Machine) -> Result<(), Quit> {
+async fn probe(mut machine: Machine) -> Asked<()> {
     let mut state =
         State { last: "ready".into(), frames: 0, animated: false, asking: false, discs: Vec::new() };
     loop {

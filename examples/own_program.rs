@@ -4,7 +4,7 @@
 //!     cargo run --example own_program
 //!     cargo run --example own_program -- --display terminal
 
-use grafika::machine::{Key, Language, Machine, Quit};
+use grafika::machine::{Asked, Key, Language, Machine};
 use grafika::programs::groups;
 use grafika::screen::{Color, Screen};
 use grafika::ui::{Area, CommandLine, Demo, Desk, Manual, Picture, Program, Words, sunken, without_document};
@@ -73,7 +73,7 @@ impl Triangle {
     }
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let mut desk = Desk::new(machine, MANUAL);
     let mut triangle = Triangle { rows: 64, modulus: 2 };
     loop {

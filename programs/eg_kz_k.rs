@@ -3,7 +3,7 @@
 
 use super::groups;
 use crate::cursor;
-use crate::machine::{Button, Key, Language, Machine, Mouse, Pointer, Quit, Tick};
+use crate::machine::{Asked, Button, Key, Language, Machine, Mouse, Pointer, Tick};
 use crate::screen::{HEIGHT, Masks, Screen, WIDTH};
 use crate::ui::{Area, CommandLine, Demo, Desk, Lesson, Manual, Program, Words, without_document};
 use serde::Serialize;
@@ -126,13 +126,13 @@ struct Model {
     right_shut: bool,
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let ended = both_parts(&mut Desk::new(machine, MANUAL)).await;
     machine.set_pointer(Pointer::Shown(&Masks::ARROW));
     ended
 }
 
-async fn both_parts(desk: &mut Desk<'_>) -> Result<(), Quit> {
+async fn both_parts(desk: &mut Desk<'_>) -> Asked<()> {
     desk.machine.put_mouse(WIDTH / 2, HEIGHT / 2);
     for part in [Part::Quarters, Part::Face] {
         let background = part.screen();

@@ -7,7 +7,7 @@ mod preview;
 pub mod text;
 
 use super::ALL;
-use crate::machine::{Key, Language, Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Key, Language, Machine, Stop, Tick};
 use crate::screen::{Color, Direction, Screen};
 use crate::ui::{Area, CommandLine, Demo, Desk, Manual, Picture, Program, Words, sunken, without_document};
 use layout::{Line, lines, picture_area};
@@ -236,7 +236,7 @@ impl Menu {
     }
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let mut menu = Menu { chosen: 0, search: String::new(), previews: BTreeMap::new() };
     let mut desk = Desk::new(machine, MANUAL);
     let (mut seen, mut shown) = (desk.machine.now(), desk.machine.now());
@@ -254,14 +254,14 @@ async fn run(machine: &mut Machine) -> Result<(), Quit> {
                 Next::Stay => {}
                 Next::End => return Ok(()),
                 Next::Start => {
-                    let program = ALL.get(menu.chosen).ok_or(Quit)?;
+                    let program = ALL.get(menu.chosen).ok_or(Stop::Closed)?;
                     let Ok(start) = (program.start)(None) else { continue };
                     desk.machine.set_file(None);
                     desk.machine.invite();
                     let ended = start(desk.machine).await;
                     // Esc brings back here; the close button closes the menu too.
                     if !desk.machine.see_off() {
-                        ended?;
+                        ended.unless_cancelled()?;
                     }
                 }
             }

@@ -14,7 +14,7 @@ pub(crate) mod plan;
 pub(crate) mod texts;
 
 use super::groups;
-use crate::machine::{Machine, Quit};
+use crate::machine::{Asked, Machine};
 use crate::textmode::on_machine;
 use crate::ui::{CommandLine, Demo, Manual, Program, Words, without_document};
 use installer::Installer;
@@ -37,7 +37,7 @@ pub const PROGRAM: Program = Program {
     command_line: CommandLine::Install,
 };
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     let folder = place::offered().display().to_string();
     let find = Box::new(place::executable);
     on_machine(machine, &mut Installer::new(machine.language(), folder, None, find)).await

@@ -5,7 +5,7 @@ mod motion;
 mod panel;
 
 use super::groups;
-use crate::machine::{Button, Key, Machine, Mouse, Quit, Tick};
+use crate::machine::{Asked, Button, Key, Machine, Mouse, Tick};
 use crate::ui::{CommandLine, Demo, Desk, Lesson, Manual, Program, Words, without_document};
 use motion::{Motion, STEPS_PER_SECOND};
 use panel::{HANDLE_RADIUS, Panel, STICK};
@@ -133,7 +133,7 @@ impl Joystick {
     }
 }
 
-async fn run(machine: &mut Machine) -> Result<(), Quit> {
+async fn run(machine: &mut Machine) -> Asked<()> {
     machine.put_mouse(STICK.0, STICK.1);
     let mut desk = Desk::new(machine, MANUAL);
     let mut panel = Panel::new();

@@ -4,10 +4,10 @@ use super::game::Game;
 use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
-use crate::machine::{Button, Event, Key, Language, Machine, Quit, StorageProblem, Tick};
+use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Stop, StorageProblem, Tick};
 use crate::screen::Screen;
 use crate::table::{Surface, Table};
-use crate::ui::{Answer, Desk, Manual, Phrase, Picture, Question, Stay, Way, words};
+use crate::ui::{Desk, Manual, Phrase, Picture, Stay, Way, words};
 use crate::work::{History, rescue};
 use serde::Serialize;
 use std::time::Duration;
@@ -52,8 +52,8 @@ struct Model {
 /// Plays until the end.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Result<(), Quit> {
+/// [`Stop::Closed`] when the display is being closed.
+pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Asked<()> {
     let mut player = Player {
         games: History::new(Game::new()),
         discs: Discs::new(),
@@ -70,8 +70,9 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Result<(), Qui
     let ended = loop {
         match player.play(&mut desk).await {
             Ok(()) => break Ok(()),
-            Err(Quit) if player.may_close(&mut desk).await => break Err(Quit),
-            Err(Quit) => {}
+            Err(Stop::Closed) if player.may_close(&mut desk).await => break Err(Stop::Closed),
+            // The player stays after all.
+            Err(_) => {}
         }
     };
     rescue::forget(&mut desk);
@@ -117,7 +118,7 @@ impl Player {
     }
 
     /// Plays until the player asks for the end.
-    async fn play(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn play(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         loop {
             let now = desk.machine.now();
             self.let_roll(now);
@@ -131,7 +132,7 @@ impl Player {
             self.let_roll(tick.now);
             self.mouse(&tick);
             if let Some(key) = tick.key()
-                && self.key(desk, key).await?
+                && self.key(desk, key).await.unless_cancelled()? == Some(true)
             {
                 return Ok(());
             }
@@ -224,7 +225,7 @@ impl Player {
     }
 
     /// Carries out a key; `true` is the end.
-    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Result<bool, Quit> {
+    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<bool> {
         match key {
             Key::Esc if self.grip.take().is_some() => {}
             Key::Esc if self.is_replay() => self.rolling = None,
@@ -294,7 +295,7 @@ impl Player {
         self.view(desk.machine.now())
     }
 
-    async fn new_rack(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn new_rack(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let view = self.settle(desk);
         if desk.yes(&view, texts::ASK_NEW).await? {
             self.change(Game::racked);
@@ -303,12 +304,15 @@ impl Player {
     }
 
     /// Asks whether this is the end; a game for points is offered to be saved first.
-    async fn end(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    async fn end(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
         let view = self.settle(desk);
         if !desk.yes(&view, words::ASK_END).await? {
             return Ok(false);
         }
-        if self.unsaved() { self.offer_to_save(desk).await } else { Ok(true) }
+        if self.unsaved() {
+            self.offer_to_save(desk).await?;
+        }
+        Ok(true)
     }
 
     /// Whether a game for points would be lost.
@@ -316,15 +320,16 @@ impl Player {
         self.games.now().points.is_some() && self.games.unsaved()
     }
 
-    /// Asks whether to save until it is answered and done; `false` is Esc: nothing shall be left.
-    async fn offer_to_save(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    /// Asks whether to save until it is answered and done; Esc: nothing shall be left.
+    async fn offer_to_save(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         loop {
             let view = self.settle(desk);
-            match desk.ask(&view, &Question::yes_no(texts::ASK_SAVE)).await? {
-                None => return Ok(false),
-                Some(Answer::Second) => return Ok(true),
-                Some(Answer::First) if self.save(desk).await? => return Ok(true),
-                Some(Answer::First) => {}
+            if !desk.yes(&view, texts::ASK_SAVE).await? {
+                return Ok(());
+            }
+            // Esc in the questions for the name leads back to this one.
+            if self.save(desk).await.unless_cancelled()? == Some(true) {
+                return Ok(());
             }
         }
     }
@@ -333,17 +338,19 @@ impl Player {
     async fn may_close(&mut self, desk: &mut Desk<'_>) -> bool {
         self.come_to_rest();
         while self.unsaved() {
-            if let Ok(leave) = self.offer_to_save(desk).await {
-                return leave;
+            match self.offer_to_save(desk).await {
+                Ok(()) => return true,
+                Err(Stop::Cancelled) => return false,
+                Err(Stop::Closed) => {}
             }
         }
         true
     }
 
     /// Asks for a name and saves; whether it was done.
-    async fn save(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    async fn save(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
         let view = self.settle(desk);
-        let Some(name) = desk.file_name(&view, EXTENSION, Way::Save).await? else { return Ok(false) };
+        let name = desk.file_name(&view, EXTENSION, Way::Save).await?;
         if !desk.may_write(&view, &[&name]).await? {
             return Ok(false);
         }
@@ -362,9 +369,9 @@ impl Player {
     }
 
     /// Asks for a name and takes the game up; undo leads back to the one before.
-    async fn load(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn load(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let view = self.settle(desk);
-        let Some(name) = desk.file_name(&view, EXTENSION, Way::Load).await? else { return Ok(()) };
+        let name = desk.file_name(&view, EXTENSION, Way::Load).await?;
         match read(desk, &name) {
             Ok(game) => {
                 desk.machine.set_file(Some(name));

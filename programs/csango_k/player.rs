@@ -7,7 +7,7 @@ use super::picture::{Scene, draw_axes};
 use super::task::{PACE, Plan, Quest, Task, Wanted};
 use super::texts;
 use crate::file::{CsangoCube, Document, Format};
-use crate::machine::{Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Tick};
 use crate::puzzle::cube::{Action, Move, PIECES, Rules};
 use crate::screen::{Color, Screen};
 use crate::ui::{Desk, Manual, Phrase, Picture, Stay, Stopwatch};
@@ -76,12 +76,8 @@ struct Model {
 /// Plays until the end.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub(crate) async fn run(
-    machine: &mut Machine,
-    manual: Manual,
-    document: Option<Document>,
-) -> Result<(), Quit> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+pub(crate) async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Asked<()> {
     let player = Player::new(machine.seed());
     work::run(player, &mut Desk::new(machine, manual), document).await
 }
@@ -149,7 +145,7 @@ impl Player {
     }
 
     /// Waits for what happens next, with the picture up to date.
-    async fn tick(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
+    async fn tick(&mut self, desk: &mut Desk<'_>) -> Asked<Tick> {
         self.now = desk.clock();
         work::keep(self, desk);
         desk.machine.publish(self.model());
@@ -309,7 +305,7 @@ impl Player {
     }
 
     /// What a key or its button does; what leads out of the configuration is told.
-    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Result<Next, Quit> {
+    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Next> {
         let action = key.letter().and_then(Action::from_letter);
         if let Some(action) = action {
             if self.make(Move { piece: self.selected, action }) {
@@ -423,7 +419,7 @@ impl Configuration for Player {
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         // The close button may have been pressed in the middle of something.
         (self.hand, self.task) = (None, Task::Idle);
         loop {
@@ -452,9 +448,9 @@ impl Configuration for Player {
             if work::common_key(self, desk, tick.key()).await? {
                 self.hinted = false;
             } else if let Some(key) = tick.key().or(button) {
-                match self.key(desk, key).await? {
-                    Next::Work => {}
-                    next => return Ok(next),
+                match self.key(desk, key).await.unless_cancelled()? {
+                    None | Some(Next::Work) => {}
+                    Some(next) => return Ok(next),
                 }
             } else {
                 self.mouse(desk, &tick);

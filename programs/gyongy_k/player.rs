@@ -5,7 +5,7 @@ use super::picture::{BUTTONS, Board, GoingOn, View, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
 use crate::file::{BeadWheel, Document, Format};
-use crate::machine::{Event, Key, Language, Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Tick};
 use crate::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
 use crate::screen::Screen;
 use crate::ui::{
@@ -55,12 +55,8 @@ struct Model {
 /// Plays until the end.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub(crate) async fn run(
-    machine: &mut Machine,
-    manual: Manual,
-    document: Option<Document>,
-) -> Result<(), Quit> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+pub(crate) async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Asked<()> {
     let player = Player {
         games: History::new(Game::from(Wheel::solved())),
         begun: false,
@@ -151,16 +147,16 @@ impl Configuration for Player {
         }
     }
 
-    async fn ask_first(&mut self, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+    async fn ask_first(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
         let question = Question::new(MIDDLE, texts::ASK_GAME, [texts::PLAY, texts::LEARN]);
-        let learn = desk.ask(&*self, &question).await? == Some(Answer::Second);
+        let learn = desk.ask(&*self, &question).await.unless_cancelled()? == Some(Answer::Second);
         if learn {
             self.begin(Game::from(Wheel::solved()));
         }
         Ok(learn)
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         if !self.begun {
             let problem = Problem { difficulty: Difficulty::Book, number: self.next_number() };
             self.begin(Game::new(problem));
@@ -168,7 +164,7 @@ impl Configuration for Player {
         self.buttons = true;
         loop {
             let tick = self.wait(desk).await?;
-            if let Some(next) = self.react(desk, &tick).await? {
+            if let Some(next) = self.react(desk, &tick).await.unless_cancelled()?.flatten() {
                 return Ok(next);
             }
         }
@@ -207,7 +203,7 @@ impl Player {
     }
 
     /// Shows the picture and waits for an event or for what is due.
-    async fn wait(&mut self, desk: &mut Desk<'_>) -> Result<Tick, Quit> {
+    async fn wait(&mut self, desk: &mut Desk<'_>) -> Asked<Tick> {
         self.now = desk.clock();
         work::keep(self, desk);
         desk.machine.publish(self.model());
@@ -229,7 +225,7 @@ impl Player {
     }
 
     /// Does what an event or the time asks for; `Some` leads out of the game.
-    async fn react(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Result<Option<Next>, Quit> {
+    async fn react(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<Option<Next>> {
         self.now = desk.clock();
         let pressed = matches!(tick.event, Some(Event::Key(_) | Event::Press(_)));
         if pressed && !matches!(self.show, Show::Nothing) {
@@ -316,7 +312,7 @@ impl Player {
     }
 
     /// Carries out a key; `Some` leads out of the game.
-    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Result<Option<Next>, Quit> {
+    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Option<Next>> {
         if let Some(a_move) = key.letter().and_then(Move::from_letter) {
             self.make(a_move);
             return Ok(None);
@@ -361,27 +357,25 @@ impl Player {
     }
 
     /// Asks for difficulty and number of a problem and takes it up.
-    async fn new_problem(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn new_problem(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         self.stop();
-        let Some(chosen) = desk.choose(&*self, &difficulties()).await? else { return Ok(()) };
-        let Some(&(_, difficulty)) = texts::DIFFICULTIES.get(chosen) else { return Ok(()) };
+        let difficulty = desk.choose(&*self, &difficulties()).await?;
         let field = Field {
             area: Area::new(300, 8, 380, 22),
             at: (308, 12),
             longest: 6,
             kind: Number::Whole(0..=MOST),
         };
-        let form = Form::new(vec![Caption::new((216, 12), texts::NUMBER)], vec![field]);
-        let Some(numbers) = desk.numbers(&*self, &form).await? else { return Ok(()) };
+        let form = Form::new(vec![Caption::new((216, 12), texts::NUMBER)], [field]);
+        let [number] = desk.numbers(&*self, &form).await?;
         // The number is whole and between 0 and the largest one.
-        let number = numbers.first().map_or(0, |&number| number as u64);
-        self.replace(Game::new(Problem { difficulty, number }));
+        self.replace(Game::new(Problem { difficulty, number: number as u64 }));
         Ok(())
     }
 }
 
 /// The question for the difficulty.
-fn difficulties() -> Choices {
+fn difficulties() -> Choices<Difficulty> {
     let (x, y) = MIDDLE;
     let mut left = x + 5;
     let mut window = |width: i32| {
@@ -389,10 +383,10 @@ fn difficulties() -> Choices {
         left += width + 5;
         area
     };
-    let answers = texts::DIFFICULTIES.map(|(answer, _)| answer);
+    let windows = [18, 18, 27, 58, 82].map(&mut window).into_iter();
     Choices {
         place: MIDDLE,
         captions: vec![Caption::new((x + 7, y + 8), texts::ASK_DIFFICULTY)],
-        answers: [18, 18, 27, 58, 82].map(&mut window).into_iter().zip(answers).collect(),
+        answers: windows.zip(texts::DIFFICULTIES).map(|(area, (text, it))| (area, text, it)).collect(),
     }
 }

@@ -5,7 +5,7 @@
 //! puts of the technique and nothing else. The pointer of the mouse driver, which needs none of
 //! this, is [`crate::screen::Masks`].
 
-use crate::machine::{Key, Language, Machine, Pointer, Quit, Tick};
+use crate::machine::{Asked, Key, Language, Machine, Pointer, Tick};
 use crate::screen::{Bitmap, Color, HEIGHT, Masks, Put, Screen, WIDTH};
 use crate::ui::{Area, Desk, Manual};
 use serde::Serialize;
@@ -124,15 +124,15 @@ struct Model {
 /// Runs a program with a cursor of its own over a screen, until Esc.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub async fn run(machine: &mut Machine, manual: Manual, screen: Screen, cursor: Cursor) -> Result<(), Quit> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+pub async fn run(machine: &mut Machine, manual: Manual, screen: Screen, cursor: Cursor) -> Asked<()> {
     machine.set_pointer(Pointer::Hidden);
     let ended = follow(&mut Desk::new(machine, manual), screen, cursor).await;
     machine.set_pointer(Pointer::Shown(&Masks::ARROW));
     ended
 }
 
-async fn follow(desk: &mut Desk<'_>, mut screen: Screen, mut cursor: Cursor) -> Result<(), Quit> {
+async fn follow(desk: &mut Desk<'_>, mut screen: Screen, mut cursor: Cursor) -> Asked<()> {
     let mut at = (WIDTH / 2, HEIGHT / 2);
     loop {
         desk.machine.put_mouse(at.0, at.1);

@@ -3,7 +3,7 @@
 
 use super::choice::ask_real;
 use crate::geometry::{Closure, Curve, ParamCurve, Point, Shape};
-use crate::machine::{Language, Quit};
+use crate::machine::{Asked, Language};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Button, Desk, Picture, words};
 use std::ops::RangeInclusive;
@@ -18,12 +18,12 @@ pub(super) const BUTTONS: [Button; 2] =
     [Button::new(30, 21, words::BIAS_BUTTON), Button::new(120, 21, words::TENSION_BUTTON)];
 
 /// Asks for the bias.
-pub(super) async fn ask_bias(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<f64>, Quit> {
+pub(super) async fn ask_bias(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
     ask_real(desk, picture, (words::BIAS_ENTRY, (232, 26)), BIAS).await
 }
 
 /// Asks for the tension.
-pub(super) async fn ask_tension(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<f64>, Quit> {
+pub(super) async fn ask_tension(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
     ask_real(desk, picture, (words::TENSION_ENTRY, (232, 26)), TENSION).await
 }
 

@@ -2,7 +2,7 @@
 //! method, and the curve that was chosen.
 
 use crate::geometry::{Closure, Curve, GeometryError, Method, ParamCurve, Point};
-use crate::machine::{Key, Quit};
+use crate::machine::{Asked, Key, Stop};
 use crate::ui::words::{self, Words};
 use crate::ui::{
     Answer, Area, Button, Caption, Desk, Field, Form, MIDDLE, Number, Picture, Question, Stay, TOP,
@@ -109,34 +109,32 @@ pub(super) const METHODS: [Button; 4] = [
     Button::new(120, 38, words::B_SPLINE),
 ];
 
-/// Asks for a point's number and gives its index; nothing for Esc, zero and less.
-pub(super) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<usize>, Quit> {
+/// Asks for a point's number and gives its index; zero and less are as good as Esc.
+pub(super) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
     let field = Field {
         area: Area::new(330, 19, 361, 32),
         at: (338, 22),
         longest: 2,
         kind: Number::Whole(0..=i32::MAX),
     };
-    let form = Form::new(vec![Caption::new((262, 26), words::NUMBER_ENTRY)], vec![field]);
-    let numbers = desk.numbers(picture, &form).await?;
-    Ok(numbers.and_then(|numbers| (numbers[0] as usize).checked_sub(1)))
+    let form = Form::new(vec![Caption::new((262, 26), words::NUMBER_ENTRY)], [field]);
+    let [number] = desk.numbers(picture, &form).await?;
+    (number as usize).checked_sub(1).ok_or(Stop::Cancelled)
 }
 
-/// As [`ask_index`], but only for one of `count` points that there are; says so if there is none.
-pub(super) async fn ask_existing(
-    desk: &mut Desk<'_>,
-    picture: &dyn Picture,
-    count: usize,
-) -> Result<Option<usize>, Quit> {
+/// As [`ask_index`], but only for one of `count` points that there are. If there is none, it says so, and the
+/// command is over.
+pub(super) async fn ask_existing(desk: &mut Desk<'_>, picture: &dyn Picture, count: usize) -> Asked<usize> {
     if count == 0 {
         desk.tell(words::NO_POINTS, Stay::Briefly);
-        return Ok(None);
+        return Err(Stop::Cancelled);
     }
     let index = ask_index(desk, picture).await?;
-    if index.is_some_and(|index| index >= count) {
+    if index >= count {
         desk.tell(words::no_such_point(count), Stay::Briefly);
+        return Err(Stop::Cancelled);
     }
-    Ok(index.filter(|&index| index < count))
+    Ok(index)
 }
 
 /// Asks for one number with a fraction on the page at the top, with its caption at a place.
@@ -145,53 +143,51 @@ pub(super) async fn ask_real(
     picture: &dyn Picture,
     (caption, at): (Words, (i32, i32)),
     range: RangeInclusive<f64>,
-) -> Result<Option<f64>, Quit> {
+) -> Asked<f64> {
     let field =
         Field { area: Area::new(330, 19, 375, 32), at: (338, 22), longest: 4, kind: Number::Real(range) };
-    let form = Form::new(vec![Caption::new(at, caption)], vec![field]);
-    let numbers = desk.numbers(picture, &form).await?;
-    Ok(numbers.map(|numbers| numbers[0]))
+    let form = Form::new(vec![Caption::new(at, caption)], [field]);
+    let [number] = desk.numbers(picture, &form).await?;
+    Ok(number)
 }
 
 /// Asks for the coefficient of the automatic tangents.
-pub(super) async fn ask_coefficient(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<f64>, Quit> {
+pub(super) async fn ask_coefficient(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
     ask_real(desk, picture, (words::COEFFICIENT, (222, 23)), -LARGEST_K0..=LARGEST_K0).await
 }
 
 /// Asks whether the curve is open or closed.
-pub(super) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Closure>, Quit> {
+pub(super) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Closure> {
     let question = Question::new(TOP, words::ASK_SHAPE, [words::OPEN, words::CLOSED]);
-    let answer = desk.ask(picture, &question).await?;
-    Ok(answer.map(|answer| match answer {
+    Ok(match desk.ask(picture, &question).await? {
         Answer::First => Closure::Open,
         Answer::Second => Closure::Closed,
-    }))
+    })
 }
 
 /// Waits for a method button and asks for what the method needs.
-pub(super) async fn ask_method(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Method>, Quit> {
+pub(super) async fn ask_method(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Method> {
     loop {
         let tick = desk.event(picture).await?;
         let clicked = tick.click().and_then(|(x, y)| METHODS.iter().find(|button| button.hit(x, y)));
         match clicked.map(|button| button.text.letter).or(tick.letter()) {
             Some('1') => {
                 let k0 = ask_coefficient(desk, picture).await?;
-                return Ok(k0.map(|k0| Method::Coons { k0 }));
+                return Ok(Method::Coons { k0 });
             }
-            Some('2') => return Ok(Some(Method::Bezier)),
-            Some('3') => return Ok(Some(Method::Spline)),
+            Some('2') => return Ok(Method::Bezier),
+            Some('3') => return Ok(Method::Spline),
             Some('4') => return ask_degree(desk, picture).await,
-            _ if tick.pressed(Key::Esc) => return Ok(None),
+            _ if tick.pressed(Key::Esc) => return Err(Stop::Cancelled),
             _ => {}
         }
     }
 }
 
-async fn ask_degree(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Method>, Quit> {
+async fn ask_degree(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Method> {
     let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
-    let answer = desk.ask(picture, &question).await?;
-    Ok(answer.map(|answer| match answer {
+    Ok(match desk.ask(picture, &question).await? {
         Answer::First => Method::BSpline2,
         Answer::Second => Method::BSpline3,
-    }))
+    })
 }

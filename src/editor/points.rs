@@ -4,7 +4,7 @@
 use super::choice::{ask_existing, ask_index};
 use super::drawing::{Drawing, Edit, Place};
 use crate::file::MAX_POINTS;
-use crate::machine::Quit;
+use crate::machine::Asked;
 use crate::ui::{Answer, Desk, Question, Stay, TOP, words};
 use crate::work::Configuration;
 
@@ -16,8 +16,8 @@ pub(super) trait PointEditor: Configuration {
     /// The control points.
     fn drawing(&self) -> &Drawing<Self::Place>;
 
-    /// Asks for the place of a point; nothing for Esc.
-    async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Self::Place>, Quit>;
+    /// Asks for the place of a point.
+    async fn ask_place(&self, desk: &mut Desk<'_>) -> Asked<Self::Place>;
 
     /// Carries out an edit by number.
     fn edit(&mut self, edit: Edit<Self::Place>);
@@ -32,24 +32,22 @@ fn count<E: PointEditor>(editor: &E) -> usize {
 }
 
 /// The command B: a new point with a number and a place.
-pub(super) async fn insert<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Result<(), Quit> {
+pub(super) async fn insert<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Asked<()> {
     if editor.drawing().full() {
         desk.tell(words::FULL, Stay::Briefly);
         return Ok(());
     }
-    let Some(index) = ask_index(desk, editor).await? else { return Ok(()) };
-    let Some(place) = editor.ask_place(desk).await? else { return Ok(()) };
+    let index = ask_index(desk, editor).await?;
+    let place = editor.ask_place(desk).await?;
     editor.edit(Edit::Insert(index, place));
     Ok(())
 }
 
 /// The command V: another number or another place for a point.
-pub(super) async fn change<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Result<(), Quit> {
+pub(super) async fn change<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Asked<()> {
     let count = count(editor);
-    match ask_existing(desk, editor, count).await? {
-        Some(index) => change_at(editor, desk, index).await,
-        None => Ok(()),
-    }
+    let index = ask_existing(desk, editor, count).await?;
+    change_at(editor, desk, index).await
 }
 
 /// The command V for a point whose number is known.
@@ -57,13 +55,11 @@ pub(super) async fn change_at<E: PointEditor>(
     editor: &mut E,
     desk: &mut Desk<'_>,
     index: usize,
-) -> Result<(), Quit> {
+) -> Asked<()> {
     editor.point_out(Some(index));
     let edit = ask_edit(editor, desk, index).await;
     editor.point_out(None);
-    if let Some(edit) = edit? {
-        editor.edit(edit);
-    }
+    editor.edit(edit?);
     Ok(())
 }
 
@@ -71,24 +67,22 @@ async fn ask_edit<E: PointEditor>(
     editor: &mut E,
     desk: &mut Desk<'_>,
     index: usize,
-) -> Result<Option<Edit<E::Place>>, Quit> {
+) -> Asked<Edit<E::Place>> {
     let what = Question::new(TOP, words::ASK_CHANGE, [words::NUMBER, words::PLACE]);
     Ok(match desk.ask(editor, &what).await? {
-        Some(Answer::First) => {
+        Answer::First => {
             let count = count(editor);
-            ask_existing(desk, editor, count).await?.map(|to| Edit::Renumber(index, to))
+            Edit::Renumber(index, ask_existing(desk, editor, count).await?)
         }
-        Some(Answer::Second) => editor.ask_place(desk).await?.map(|place| Edit::Move(index, place)),
-        None => None,
+        Answer::Second => Edit::Move(index, editor.ask_place(desk).await?),
     })
 }
 
 /// The command T: a point goes.
-pub(super) async fn delete<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Result<(), Quit> {
+pub(super) async fn delete<E: PointEditor>(editor: &mut E, desk: &mut Desk<'_>) -> Asked<()> {
     let count = count(editor);
-    if let Some(index) = ask_existing(desk, editor, count).await? {
-        editor.edit(Edit::Delete(index));
-    }
+    let index = ask_existing(desk, editor, count).await?;
+    editor.edit(Edit::Delete(index));
     Ok(())
 }
 

@@ -6,11 +6,11 @@
 //! [`display`](crate::display).
 //!
 //! ```
-//! use grafika::machine::{Event, Key, Machine, Memory, Quit, Session, Settings};
+//! use grafika::machine::{Asked, Event, Key, Machine, Memory, Session, Settings, Stop};
 //! use grafika::screen::Color;
 //! use std::time::Duration;
 //!
-//! async fn run(mut machine: Machine) -> Result<(), Quit> {
+//! async fn run(mut machine: Machine) -> Asked<()> {
 //!     while !machine.event().await?.pressed(Key::Esc) {
 //!         machine.screen().bar(10, 10, 20, 20, Color::Yellow);
 //!     }
@@ -33,6 +33,7 @@ mod recovery;
 mod samples;
 mod script;
 mod session;
+mod stop;
 mod storage;
 
 pub use event::{Button, Event, Key, Mouse, Tick};
@@ -44,6 +45,7 @@ pub use recovery::{Lost, Recovery, Verdict, Work};
 pub use samples::{SAMPLES, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
+pub use stop::{Asked, Asking, Stop};
 pub use storage::{
     Memory, Storage, StorageError, StorageProblem, check_name, free_name, sample_or_not_found,
 };
@@ -56,19 +58,6 @@ use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
-
-/// The display is being closed. Programs hand it on with `?`, so that closing works inside every
-/// question; one that has something to save catches it and asks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Quit;
-
-impl fmt::Display for Quit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the display is being closed")
-    }
-}
-
-impl std::error::Error for Quit {}
 
 /// The language of the texts on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -320,24 +309,24 @@ impl Machine {
     /// Shows the screen and sleeps until something happens.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn event(&mut self) -> Result<Tick, Quit> {
+    /// [`Stop::Closed`] when the display is being closed.
+    pub async fn event(&mut self) -> Asked<Tick> {
         self.turn(Wait::Event).await
     }
 
     /// Shows the screen and sleeps until something happens or the next frame of an animation is due.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn frame(&mut self) -> Result<Tick, Quit> {
+    /// [`Stop::Closed`] when the display is being closed.
+    pub async fn frame(&mut self) -> Asked<Tick> {
         self.turn(Wait::Frame).await
     }
 
     /// Shows the screen and sleeps until something happens, but not beyond a moment of [`Machine::now`].
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn event_before(&mut self, moment: Duration) -> Result<Tick, Quit> {
+    /// [`Stop::Closed`] when the display is being closed.
+    pub async fn event_before(&mut self, moment: Duration) -> Asked<Tick> {
         self.turn(Wait::Until(moment)).await
     }
 

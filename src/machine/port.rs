@@ -4,7 +4,7 @@
 //! display has its turn. The screen changes hands at the await, so that both sides own it plainly.
 
 use super::event::{Mouse, Tick};
-use super::{Language, Pointer, Preferences, Quit, StorageError};
+use super::{Asked, Language, Pointer, Preferences, StorageError};
 use crate::screen::Screen;
 use serde::Serialize;
 use std::cell::RefCell;
@@ -52,7 +52,7 @@ pub(super) struct Port {
     /// What could not be saved when the program was gone.
     pub(super) lost: Option<StorageError>,
     /// What the waiting program gets when it is polled next.
-    pub(super) answer: Option<Result<Tick, Quit>>,
+    pub(super) answer: Option<Asked<Tick>>,
 }
 
 /// The future of one wait: hands the screen over when it starts to wait and takes it back at the end.
@@ -71,7 +71,7 @@ impl Turn<'_> {
 }
 
 impl Future for Turn<'_> {
-    type Output = Result<Tick, Quit>;
+    type Output = Asked<Tick>;
 
     fn poll(mut self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<Self::Output> {
         if !self.handed_over {

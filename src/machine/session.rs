@@ -6,7 +6,7 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Language, Machine, Pointer, PointerSpeed, Quit, StorageError};
+use super::{Asked, Language, Machine, Pointer, PointerSpeed, Stop, StorageError};
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
@@ -16,7 +16,7 @@ use std::task::{Context, Waker};
 use std::time::Duration;
 
 /// A program as a display polls it.
-type Running = Pin<Box<dyn Future<Output = Result<(), Quit>>>>;
+type Running = Pin<Box<dyn Future<Output = Asked<()>>>>;
 
 /// Frames of an animation a second.
 pub const FRAMES_PER_SECOND: u32 = 60;
@@ -39,7 +39,7 @@ impl Session {
     pub fn start<P, F>(machine: Machine, program: P) -> Session
     where
         P: FnOnce(Machine) -> F,
-        F: Future<Output = Result<(), Quit>> + 'static,
+        F: Future<Output = Asked<()>> + 'static,
     {
         let port = machine.port();
         let mut session = Session { port, program: Some(Box::pin(program(machine))), recorder: None };
@@ -183,7 +183,7 @@ impl Session {
             port.mouse = port.mouse.after(event);
         }
         port.answer = Some(match event {
-            Some(Event::Close) => Err(Quit),
+            Some(Event::Close) => Err(Stop::Closed),
             event => Ok(Tick { event, now: port.now, mouse: port.mouse }),
         });
         drop(port);
@@ -193,6 +193,8 @@ impl Session {
     fn poll(&mut self) {
         let Some(program) = &mut self.program else { return };
         let mut context = Context::from_waker(Waker::noop());
+        // A program has ended, however it did. One that lets a `Stop::Cancelled` out has been left with Esc
+        // where it asks for something of its own, outside any command: an end like any other.
         if program.as_mut().poll(&mut context).is_ready() {
             self.program = None;
         }
@@ -254,6 +256,18 @@ mod tests {
         assert!(!session.ended());
         assert_eq!(session.screen().pixel(0, 0), Some(Color::Red));
         session.send(Event::Close, ms(0));
+        assert!(session.ended());
+    }
+
+    #[test]
+    fn esc_that_nothing_answers_ends_a_program() {
+        let mut session = Session::start(machine(), |mut machine| async move {
+            match machine.event().await?.key() {
+                Some(Key::Esc) => Err(Stop::Cancelled),
+                _ => Ok(()),
+            }
+        });
+        session.send(Event::Key(Key::Esc), ms(0));
         assert!(session.ended());
     }
 

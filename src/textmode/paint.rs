@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::{Doing, TextEvent, TextProgram};
-use crate::machine::{Event, Machine, Quit};
+use crate::machine::{Asked, Event, Machine};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH, glyph};
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
@@ -23,8 +23,8 @@ const AREA: Rect = Rect { x: 0, y: 0, width: COLUMNS, height: ROWS };
 /// Runs a program on a machine until it has ended.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed; the program has been told so.
-pub async fn on_machine(machine: &mut Machine, program: &mut dyn TextProgram) -> Result<(), Quit> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed; the program has been told so.
+pub async fn on_machine(machine: &mut Machine, program: &mut dyn TextProgram) -> Asked<()> {
     loop {
         let page = program.page();
         machine.set_language(page.language);

@@ -1,11 +1,11 @@
-//! Questions and entries on the communication page. Esc cancels every one of them, and the close
-//! button works in them; the program's picture is drawn under them again whenever something changes.
+//! Questions and entries on the communication page. Esc cancels every one of them and what asks it, and the
+//! close button works in them; the program's picture is drawn under them again whenever something changes.
 
 use super::desk::{Desk, Over, Picture};
 use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
 use super::words::{self, Hot, Phrase, Words};
-use crate::machine::{Key, Language, Quit};
+use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
 
@@ -42,39 +42,41 @@ impl Question {
     }
 
     /// The question as a page of choices.
-    pub(crate) fn choices(&self) -> Choices {
+    pub(crate) fn choices(&self) -> Choices<Answer> {
         let (x, y) = self.place;
         let title = Caption { at: (x + 7, y + 8), text: self.title.clone(), color: Color::Black };
-        let answers = self.windows().into_iter().zip(self.answers).collect();
+        let [first, second] = self.windows();
+        let answers =
+            vec![(first, self.answers[0], Answer::First), (second, self.answers[1], Answer::Second)];
         Choices { place: self.place, captions: vec![title], answers }
     }
 }
 
 /// A page with some answers to choose from.
 #[derive(Clone, Debug)]
-pub struct Choices {
+pub struct Choices<T> {
     /// The page's upper left corner.
     pub place: (i32, i32),
     /// The texts on the page.
     pub captions: Vec<Caption>,
-    /// The answers in their windows.
-    pub answers: Vec<(Area, Hot)>,
+    /// The answers in their windows, with what they mean.
+    pub answers: Vec<(Area, Hot, T)>,
 }
 
-impl Choices {
+impl<T: Copy + PartialEq> Choices<T> {
     /// Draws the page.
     pub fn draw(&self, screen: &mut Screen, language: Language) {
         self.draw_with(None, screen, language);
     }
 
     /// Draws the page; the answer of Enter stands out.
-    fn draw_with(&self, default: Option<usize>, screen: &mut Screen, language: Language) {
+    fn draw_with(&self, default: Option<T>, screen: &mut Screen, language: Language) {
         page(screen, self.place);
         for caption in &self.captions {
             screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
         }
-        for (index, &(area, answer)) in self.answers.iter().enumerate() {
-            let ink = if default == Some(index) { Color::Yellow } else { Color::White };
+        for &(area, answer, meaning) in &self.answers {
+            let ink = if default == Some(meaning) { Color::Yellow } else { Color::White };
             window(screen, area);
             hot_text(screen, area.x1 + 5, area.y1 + 3, answer, ink, language);
         }
@@ -152,124 +154,130 @@ impl Number {
     }
 }
 
-/// A page of numbers that are typed one after the other.
+/// A page of `N` numbers that are typed one after the other.
 #[derive(Clone, Debug)]
-pub struct Form {
+pub struct Form<const N: usize> {
     /// The texts on the page.
     pub captions: Vec<Caption>,
     /// The numbers, in the order in which they are typed.
-    pub fields: Vec<Field>,
+    pub fields: [Field; N],
     /// What is drawn on the page besides.
     pub ornament: fn(&mut Screen),
 }
 
-impl Form {
+impl<const N: usize> Form<N> {
     /// A page of texts and numbers.
-    pub fn new(captions: Vec<Caption>, fields: Vec<Field>) -> Form {
+    pub fn new(captions: Vec<Caption>, fields: [Field; N]) -> Form<N> {
         Form { captions, fields, ornament: |_| {} }
     }
 }
 
 impl Desk<'_> {
-    /// Asks a question; `None` is Esc.
+    /// Asks a question.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn ask(&mut self, picture: &dyn Picture, question: &Question) -> Result<Option<Answer>, Quit> {
-        let chosen = self.choose(picture, &question.choices()).await?;
-        Ok(chosen.and_then(|index| [Answer::First, Answer::Second].get(index).copied()))
+    /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn ask(&mut self, picture: &dyn Picture, question: &Question) -> Asked<Answer> {
+        self.choose(picture, &question.choices()).await
     }
 
-    /// Lets one of several answers be chosen by its letter or a click, and gives its number; `None` is Esc.
+    /// Lets one of several answers be chosen by its letter or a click, and gives what it means.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn choose(&mut self, picture: &dyn Picture, choices: &Choices) -> Result<Option<usize>, Quit> {
+    /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn choose<T: Copy + PartialEq>(
+        &mut self,
+        picture: &dyn Picture,
+        choices: &Choices<T>,
+    ) -> Asked<T> {
         self.choose_or(picture, choices, None).await
     }
 
-    /// As [`Desk::choose`]; Enter gives the answer of a number, if there is a default.
+    /// As [`Desk::choose`]; Enter gives the default answer, if there is one.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn choose_or(
+    /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn choose_or<T: Copy + PartialEq>(
         &mut self,
         picture: &dyn Picture,
-        choices: &Choices,
-        default: Option<usize>,
-    ) -> Result<Option<usize>, Quit> {
+        choices: &Choices<T>,
+        default: Option<T>,
+    ) -> Asked<T> {
         loop {
             let page = Over::new(picture, |screen: &mut Screen, language: Language| {
                 choices.draw_with(default, screen, language);
             });
             let tick = self.event(&page).await?;
-            match tick.key() {
-                Some(Key::Esc) => return Ok(None),
-                Some(Key::Enter) if default.is_some() => return Ok(default),
+            match (tick.key(), default) {
+                (Some(Key::Esc), _) => return Err(Stop::Cancelled),
+                (Some(Key::Enter), Some(meaning)) => return Ok(meaning),
                 _ => {}
             }
-            let chosen = choices.answers.iter().position(|&(area, answer)| {
+            let chosen = choices.answers.iter().find(|&&(area, answer, _)| {
                 tick.letter() == Some(answer.letter) || tick.click().is_some_and(|(x, y)| area.holds(x, y))
             });
-            if chosen.is_some() {
-                return Ok(chosen);
+            if let Some(&(.., meaning)) = chosen {
+                return Ok(meaning);
             }
         }
     }
 
-    /// Asks a yes-or-no question; Esc is no.
+    /// Asks a yes-or-no question.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn yes(&mut self, picture: &dyn Picture, title: impl Into<Phrase>) -> Result<bool, Quit> {
-        Ok(self.ask(picture, &Question::yes_no(title)).await? == Some(Answer::First))
+    /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn yes(&mut self, picture: &dyn Picture, title: impl Into<Phrase>) -> Asked<bool> {
+        Ok(self.ask(picture, &Question::yes_no(title)).await? == Answer::First)
     }
 
-    /// Lets numbers be typed on the page at the top; `None` is Esc in any of them. What is no number
+    /// Lets numbers be typed on the page at the top, one for each field of the form. What is no number
     /// empties its window and is asked for again.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn numbers(&mut self, picture: &dyn Picture, form: &Form) -> Result<Option<Vec<f64>>, Quit> {
-        let new_entry = |field: &Field| Entry::new(field.area, field.at, field.longest, Accepts::Number);
-        let mut entries: Vec<Entry> = form.fields.iter().map(new_entry).collect();
-        let mut numbers = Vec::new();
-        while let Some(field) = form.fields.get(numbers.len()) {
-            let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
-                page(screen, TOP);
-                for caption in &form.captions {
-                    screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
-                }
-                (form.ornament)(screen);
-                entries.iter().for_each(|entry| entry.draw(screen));
-            });
-            let tick = self.event(&typing).await?;
-            let (Some(key), Some(entry)) = (tick.key(), entries.get_mut(numbers.len())) else { continue };
-            match entry.key(key) {
-                Typed::On => {}
-                Typed::Cancelled => return Ok(None),
-                Typed::Done => match field.kind.read(&entry.text) {
-                    Some(number) => {
-                        entry.text = number.to_string();
-                        numbers.push(number);
-                    }
-                    None => entry.text.clear(),
-                },
-            }
-        }
-        Ok(Some(numbers))
-    }
-
-    /// Lets a file name without extension be typed; `None` is Esc.
-    ///
-    /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn file_name(
+    /// [`Stop`]: Esc in any of them, or the display is being closed.
+    pub async fn numbers<const N: usize>(
         &mut self,
         picture: &dyn Picture,
-        extension: &str,
-        way: Way,
-    ) -> Result<Option<String>, Quit> {
+        form: &Form<N>,
+    ) -> Asked<[f64; N]> {
+        let mut entries = form
+            .fields
+            .each_ref()
+            .map(|field| Entry::new(field.area, field.at, field.longest, Accepts::Number));
+        let mut numbers = [0.0; N];
+        for (index, field) in form.fields.iter().enumerate() {
+            numbers[index] = loop {
+                let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
+                    page(screen, TOP);
+                    for caption in &form.captions {
+                        screen.text(caption.at.0, caption.at.1, caption.text.of(language), caption.color);
+                    }
+                    (form.ornament)(screen);
+                    entries.iter().for_each(|entry| entry.draw(screen));
+                });
+                let tick = self.event(&typing).await?;
+                let entry = &mut entries[index];
+                match tick.key().map_or(Typed::On, |key| entry.key(key)) {
+                    Typed::On => {}
+                    Typed::Cancelled => return Err(Stop::Cancelled),
+                    Typed::Done => match field.kind.read(&entry.text) {
+                        Some(number) => {
+                            entry.text = number.to_string();
+                            break number;
+                        }
+                        None => entry.text.clear(),
+                    },
+                }
+            };
+        }
+        Ok(numbers)
+    }
+
+    /// Lets a file name without extension be typed.
+    ///
+    /// # Errors
+    /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn file_name(&mut self, picture: &dyn Picture, extension: &str, way: Way) -> Asked<String> {
         // Where the original puts the window differs by some pixels between saving and loading.
         let (right, dot_x, y) = match way {
             Way::Save => (350, 350, 221),
@@ -282,13 +290,13 @@ impl Desk<'_> {
     /// As [`Desk::file_name`], for a file to be saved, with a proposal and room for it.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
+    /// [`Stop`]: Esc, or the display is being closed.
     pub(super) async fn file_name_or(
         &mut self,
         picture: &dyn Picture,
         extension: &str,
         proposal: &str,
-    ) -> Result<Option<String>, Quit> {
+    ) -> Asked<String> {
         let entry = Entry::new(Area::new(214, 219, 390, 232), (222, 222), LONGEST_NAME, Accepts::Name);
         self.type_name(picture, extension, entry.proposing(proposal), 394).await
     }
@@ -299,7 +307,7 @@ impl Desk<'_> {
         extension: &str,
         mut entry: Entry,
         dot_x: i32,
-    ) -> Result<Option<String>, Quit> {
+    ) -> Asked<String> {
         let dotted = format!(".{extension}");
         loop {
             let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
@@ -311,29 +319,29 @@ impl Desk<'_> {
             let tick = self.event(&typing).await?;
             match tick.key().map_or(Typed::On, |key| entry.key(key)) {
                 Typed::On => {}
-                Typed::Cancelled => return Ok(None),
+                Typed::Cancelled => return Err(Stop::Cancelled),
                 Typed::Done => {
                     let name = entry.text.strip_suffix(&dotted).unwrap_or(&entry.text);
                     if name.contains('.') {
                         self.tell(words::NO_DOT, super::Stay::UntilRead);
                     } else if !name.is_empty() {
-                        return Ok(Some(format!("{name}{dotted}")));
+                        return Ok(format!("{name}{dotted}"));
                     }
                 }
             }
         }
     }
 
-    /// Lets one line be typed on the page at the top, below its caption; `None` is Esc.
+    /// Lets one line be typed on the page at the top, below its caption.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
+    /// [`Stop`]: Esc, or the display is being closed.
     pub(super) async fn type_line(
         &mut self,
         picture: &dyn Picture,
         caption: Words,
         mut entry: Entry,
-    ) -> Result<Option<String>, Quit> {
+    ) -> Asked<String> {
         loop {
             let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
                 page(screen, TOP);
@@ -343,8 +351,8 @@ impl Desk<'_> {
             let tick = self.event(&typing).await?;
             match tick.key().map_or(Typed::On, |key| entry.key(key)) {
                 Typed::On => {}
-                Typed::Cancelled => return Ok(None),
-                Typed::Done => return Ok(Some(entry.text)),
+                Typed::Cancelled => return Err(Stop::Cancelled),
+                Typed::Done => return Ok(entry.text),
             }
         }
     }

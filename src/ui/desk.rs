@@ -4,7 +4,7 @@ use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
 use crate::figure::Figure;
-use crate::machine::{Event, Key, Language, Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::pin::Pin;
 use std::time::Duration;
@@ -102,24 +102,24 @@ impl<'m> Desk<'m> {
     /// (language), F9 (settings), F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) are dealt with here.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn event(&mut self, picture: &dyn Picture) -> Result<Tick, Quit> {
+    /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+    pub async fn event(&mut self, picture: &dyn Picture) -> Asked<Tick> {
         self.event_within(picture, Wake::Never).await
     }
 
     /// As [`Desk::event`], but not beyond a moment: a tick without event then.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn event_before(&mut self, picture: &dyn Picture, moment: Duration) -> Result<Tick, Quit> {
+    /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+    pub async fn event_before(&mut self, picture: &dyn Picture, moment: Duration) -> Asked<Tick> {
         self.event_within(picture, Wake::At(moment)).await
     }
 
     /// As [`Desk::event`], but not beyond the next frame of an animation: a tick without event then.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn frame(&mut self, picture: &dyn Picture) -> Result<Tick, Quit> {
+    /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+    pub async fn frame(&mut self, picture: &dyn Picture) -> Asked<Tick> {
         self.event_within(picture, Wake::Frame).await
     }
 
@@ -129,7 +129,7 @@ impl<'m> Desk<'m> {
         self.machine.now().saturating_sub(self.away)
     }
 
-    async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Result<Tick, Quit> {
+    async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Asked<Tick> {
         loop {
             self.draw(picture);
             if self.machine.film_is_full() {
@@ -211,7 +211,7 @@ impl<'m> Desk<'m> {
     }
 
     /// Shows the help page and keeps the time that it takes.
-    async fn help(&mut self) -> Result<(), Quit> {
+    async fn help(&mut self) -> Asked<()> {
         let begun = self.machine.now();
         let ended = self.read_help().await;
         self.away += self.machine.now().saturating_sub(begun);
@@ -220,22 +220,23 @@ impl<'m> Desk<'m> {
 
     /// Asks about a figure, saves it, and keeps the time that it takes. The questions wait for events by the
     /// same desk; what is nested has to stand on the heap.
-    async fn save_figure(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
+    async fn save_figure(&mut self, picture: &dyn Picture) -> Asked<()> {
         let begun = self.machine.now();
         self.aside = true;
-        let asked: Pin<Box<dyn Future<Output = Result<(), Quit>> + '_>> =
+        let asked: Pin<Box<dyn Future<Output = Asked<()>> + '_>> =
             Box::pin(self.ask_and_save_figure(picture));
         let ended = asked.await;
         self.aside = false;
         self.away += self.machine.now().saturating_sub(begun);
-        ended
+        // Esc in any of the questions: nothing is saved, and the program has seen nothing.
+        ended.unless_cancelled().map(|_| ())
     }
 
     /// Shows the settings, and keeps the time that it takes.
-    async fn change_settings(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
+    async fn change_settings(&mut self, picture: &dyn Picture) -> Asked<()> {
         let begun = self.machine.now();
         self.aside = true;
-        let chosen: Pin<Box<dyn Future<Output = Result<(), Quit>> + '_>> = Box::pin(self.settings(picture));
+        let chosen: Pin<Box<dyn Future<Output = Asked<()>> + '_>> = Box::pin(self.settings(picture));
         let ended = chosen.await;
         self.aside = false;
         self.away += self.machine.now().saturating_sub(begun);
@@ -243,7 +244,7 @@ impl<'m> Desk<'m> {
     }
 
     /// Shows the program's keys until a key or click.
-    async fn read_help(&mut self) -> Result<(), Quit> {
+    async fn read_help(&mut self) -> Asked<()> {
         loop {
             let language = self.machine.language();
             help_page(self.machine.screen(), &self.manual, language);

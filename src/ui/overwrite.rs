@@ -4,21 +4,15 @@ use super::ask::{Answer, Question};
 use super::desk::{Desk, Picture};
 use super::notice;
 use super::words::{self, Phrase, Words};
-use crate::machine::{Language, Quit, Standing};
+use crate::machine::{Asked, Language, Standing};
 use crate::screen::Screen;
 
 impl Desk<'_> {
-    /// Asks a yes-or-no question in the middle of the picture, with what it is about on a panel above it;
-    /// `None` is Esc.
+    /// Asks a yes-or-no question in the middle of the picture, with what it is about on a panel above it.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn ask_about(
-        &mut self,
-        picture: &dyn Picture,
-        facts: &Phrase,
-        title: Words,
-    ) -> Result<Option<Answer>, Quit> {
+    /// [`Stop`](crate::machine::Stop): Esc, or the display is being closed.
+    pub async fn ask_about(&mut self, picture: &dyn Picture, facts: &Phrase, title: Words) -> Asked<Answer> {
         let picture = |screen: &mut Screen, language: Language| {
             picture.draw(screen, language);
             notice::preface(screen, facts.of(language));
@@ -30,8 +24,8 @@ impl Desk<'_> {
     /// one of them is no longer what this program has read or written is said.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    pub async fn may_write(&mut self, picture: &dyn Picture, names: &[&str]) -> Result<bool, Quit> {
+    /// [`Stop`](crate::machine::Stop): Esc, or the display is being closed.
+    pub async fn may_write(&mut self, picture: &dyn Picture, names: &[&str]) -> Asked<bool> {
         loop {
             let standings = self.standings(names);
             let first = |wanted: fn(&Standing) -> bool| {
@@ -43,7 +37,7 @@ impl Desk<'_> {
             let agreed = match (changed, there) {
                 (Some(name), _) => {
                     let answer = self.ask_about(picture, &words::changed(name), words::ASK_OVERWRITE).await?;
-                    answer == Some(Answer::First)
+                    answer == Answer::First
                 }
                 (None, Some(name)) => self.yes(picture, words::exists(name)).await?,
                 (None, None) => return Ok(true),

@@ -2,11 +2,11 @@
 
 use super::{Manual, Phrase, Words};
 use crate::file::{Document, Format};
-use crate::machine::{Key, Machine, Quit};
+use crate::machine::{Asked, Key, Machine};
 use std::pin::Pin;
 
 /// A running program: ready when it has ended.
-pub type Run<'m> = Pin<Box<dyn Future<Output = Result<(), Quit>> + 'm>>;
+pub type Run<'m> = Pin<Box<dyn Future<Output = Asked<()>> + 'm>>;
 
 /// A program that is ready to run on a machine.
 pub type Start = Box<dyn for<'m> FnOnce(&'m mut Machine) -> Run<'m>>;

@@ -3,7 +3,7 @@
 //! A figure is the geometry of a picture, written as SVG, PNG or PDF with a title, a caption and axes; a
 //! picture without geometry gives its screen instead, in the same formats.
 
-use super::ask::{Caption, Choices, Number, Question, TOP};
+use super::ask::{Answer, Caption, Choices, Number, Question, TOP};
 use super::desk::{Desk, Picture};
 use super::entry::{Accepts, Entry};
 use super::frame::Area;
@@ -12,7 +12,7 @@ use super::words::{self, Hot, Phrase};
 use crate::figure::{
     Axes, Figure, FigureError, SMALLEST_WIDTH, screen_pdf, screen_png, screen_png_of_scale, screen_svg,
 };
-use crate::machine::{Quit, free_name};
+use crate::machine::{Asked, free_name};
 use crate::screen::{Color, Screen, WIDTH};
 use std::ops::RangeInclusive;
 
@@ -50,7 +50,7 @@ enum Content {
 
 impl Desk<'_> {
     /// The key F10: asks what the figure shall be like, and saves it. Esc in any question saves nothing.
-    pub(super) async fn ask_and_save_figure(&mut self, picture: &dyn Picture) -> Result<(), Quit> {
+    pub(super) async fn ask_and_save_figure(&mut self, picture: &dyn Picture) -> Asked<()> {
         let mut content = match picture.figure() {
             Some(figure) => Content::Figure(Box::new(figure)),
             None => {
@@ -59,18 +59,15 @@ impl Desk<'_> {
                 Content::Screen(Box::new(self.machine.screen().clone()))
             }
         };
-        let Some((kind, extension)) = self.ask_kind(picture).await? else { return Ok(()) };
-        let mut width = 0;
-        if kind == Kind::Png {
-            let Some(pixels) = self.ask_width(picture, content.widths()).await? else { return Ok(()) };
-            width = pixels;
+        let (kind, extension) = self.ask_kind(picture).await?;
+        let width = match kind {
+            Kind::Png => self.ask_width(picture, content.widths()).await?,
+            Kind::Svg | Kind::Pdf => 0,
+        };
+        if let Content::Figure(figure) = &mut content {
+            self.ask_words(picture, figure).await?;
         }
-        if let Content::Figure(figure) = &mut content
-            && !self.ask_words(picture, figure).await?
-        {
-            return Ok(());
-        }
-        let Some(name) = self.ask_name(picture, extension).await? else { return Ok(()) };
+        let name = self.ask_name(picture, extension).await?;
         let saved = content.encode(kind, width).map_err(|error| words::plain(&error)).and_then(|file| {
             let written = self.machine.storage().write(&name, &file);
             written.map_err(|error| words::storage_problem(&error))
@@ -82,51 +79,39 @@ impl Desk<'_> {
         Ok(())
     }
 
-    async fn ask_kind(&mut self, picture: &dyn Picture) -> Result<Option<(Kind, &'static str)>, Quit> {
+    async fn ask_kind(&mut self, picture: &dyn Picture) -> Asked<(Kind, &'static str)> {
         let (x, y) = TOP;
-        let answer = |(_, _, text, (left, right)): (Kind, &str, Hot, (i32, i32))| {
-            (Area::new(x + left, y + 21, x + right, y + 34), text)
+        let answer = |(kind, extension, text, (left, right)): (Kind, &'static str, Hot, (i32, i32))| {
+            (Area::new(x + left, y + 21, x + right, y + 34), text, (kind, extension))
         };
         let choices = Choices {
             place: TOP,
             captions: vec![Caption { at: (x + 7, y + 8), text: words::ASK_KIND.into(), color: Color::Black }],
             answers: Kind::ALL.map(answer).into(),
         };
-        let chosen = self.choose_or(picture, &choices, Some(0)).await?;
-        let kind = chosen.and_then(|index| Kind::ALL.get(index));
-        Ok(kind.map(|&(kind, extension, ..)| (kind, extension)))
+        self.choose_or(picture, &choices, Some((Kind::Svg, "svg"))).await
     }
 
     /// Asks for the width of a PNG until it is a number; one out of the range becomes its nearest end.
-    async fn ask_width(
-        &mut self,
-        picture: &dyn Picture,
-        range: RangeInclusive<i32>,
-    ) -> Result<Option<u32>, Quit> {
+    async fn ask_width(&mut self, picture: &dyn Picture, range: RangeInclusive<i32>) -> Asked<u32> {
         let number = Number::Whole(range);
         loop {
             let entry = line_entry(LONGEST_NUMBER, Accepts::Number).proposing(WIDTH_PROPOSED);
-            let Some(text) = self.type_line(picture, words::WIDTH_ENTRY, entry).await? else {
-                return Ok(None);
-            };
+            let text = self.type_line(picture, words::WIDTH_ENTRY, entry).await?;
             if let Some(width) = number.read(&text) {
-                return Ok(Some(width as u32));
+                return Ok(width as u32);
             }
         }
     }
 
-    /// Asks for what stands around a figure; `false` is Esc.
-    async fn ask_words(&mut self, picture: &dyn Picture, figure: &mut Figure) -> Result<bool, Quit> {
+    /// Asks for what stands around a figure.
+    async fn ask_words(&mut self, picture: &dyn Picture, figure: &mut Figure) -> Asked<()> {
         let title = line_entry(LONGEST_TITLE, Accepts::Text).proposing(self.title());
-        let Some(title) = self.type_line(picture, words::TITLE_ENTRY, title).await? else {
-            return Ok(false);
-        };
+        let title = self.type_line(picture, words::TITLE_ENTRY, title).await?;
         let caption = line_entry(LONGEST_CAPTION, Accepts::Text);
-        let Some(caption) = self.type_line(picture, words::CAPTION_ENTRY, caption).await? else {
-            return Ok(false);
-        };
+        let caption = self.type_line(picture, words::CAPTION_ENTRY, caption).await?;
         let question = Question::new(TOP, words::ASK_AXES, [words::YES, words::NO]).choices();
-        let Some(answer) = self.choose_or(picture, &question, Some(0)).await? else { return Ok(false) };
+        let answer = self.choose_or(picture, &question, Some(Answer::First)).await?;
         if !title.trim().is_empty() {
             figure.set_title(title);
         }
@@ -135,26 +120,23 @@ impl Desk<'_> {
         }
         match answer {
             // A picture of space has axes of its own.
-            0 => figure.set_axes(figure.axes().unwrap_or(Axes::Plane)),
-            _ => figure.clear_axes(),
+            Answer::First => figure.set_axes(figure.axes().unwrap_or(Axes::Plane)),
+            Answer::Second => figure.clear_axes(),
         }
-        Ok(true)
+        Ok(())
     }
 
-    /// Asks for a name that is free, or shall be overwritten; `None` is Esc.
-    async fn ask_name(&mut self, picture: &dyn Picture, extension: &str) -> Result<Option<String>, Quit> {
+    /// Asks for a name that is free, or shall be overwritten.
+    async fn ask_name(&mut self, picture: &dyn Picture, extension: &str) -> Asked<String> {
         let mut proposal = free_name(self.machine.storage(), self.manual.name, extension);
         loop {
             let stem = stem(&proposal).to_string();
-            let Some(name) = self.file_name_or(picture, extension, &stem).await? else { return Ok(None) };
-            if self.machine.storage().find(&name).is_none() {
-                return Ok(Some(name));
+            let name = self.file_name_or(picture, extension, &stem).await?;
+            if self.machine.storage().find(&name).is_none() || self.yes(picture, words::exists(&name)).await?
+            {
+                return Ok(name);
             }
-            match self.ask(picture, &Question::yes_no(words::exists(&name))).await? {
-                Some(super::Answer::First) => return Ok(Some(name)),
-                Some(super::Answer::Second) => proposal = name,
-                None => return Ok(None),
-            }
+            proposal = name;
         }
     }
 

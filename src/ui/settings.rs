@@ -6,7 +6,7 @@ use super::frame::{Area, panel};
 use super::notice::Stay;
 use super::save::line_entry;
 use super::words::{self, Phrase, Words};
-use crate::machine::{Key, Language, Preference, Preferences, Quit};
+use crate::machine::{Asked, Asking, Key, Language, Preference, Preferences};
 use crate::screen::{Color, Screen};
 
 /// The panel of the page, and where its lines begin.
@@ -94,7 +94,7 @@ impl Picture for Page<'_> {
 impl Desk<'_> {
     /// The key F9: shows the settings over the program's picture until Esc; every change counts at once and is
     /// kept.
-    pub(super) async fn settings(&mut self, under: &dyn Picture) -> Result<(), Quit> {
+    pub(super) async fn settings(&mut self, under: &dyn Picture) -> Asked<()> {
         let mut page = Page { under, preferences: self.machine.preferences(), chosen: 0 };
         loop {
             let tick = self.event(&page).await?;
@@ -123,7 +123,8 @@ impl Desk<'_> {
             if preference == Preference::Folder {
                 let entry =
                     line_entry(LONGEST_FOLDER, Accepts::Text).proposing(page.preferences.get(preference));
-                let Some(folder) = self.type_line(&page, words::FOLDER_ENTRY, entry).await? else { continue };
+                let typed = self.type_line(&page, words::FOLDER_ENTRY, entry).await;
+                let Some(folder) = typed.unless_cancelled()? else { continue };
                 // Any text is a folder; whether there is one shows when a file is saved.
                 let _ = page.preferences.set(preference, &folder);
             } else {

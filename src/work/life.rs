@@ -3,7 +3,7 @@
 
 use super::{History, rescue};
 use crate::file::{Document, Format};
-use crate::machine::{Key, Quit, Storage, StorageProblem};
+use crate::machine::{Asked, Asking, Key, Stop, Storage, StorageProblem};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
 use serde::Serialize;
@@ -55,16 +55,16 @@ pub trait Configuration: Picture {
     /// configuration already.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    fn ask_first(&mut self, _desk: &mut Desk<'_>) -> impl Future<Output = Result<bool, Quit>> {
+    /// [`Stop::Closed`] when the display is being closed.
+    fn ask_first(&mut self, _desk: &mut Desk<'_>) -> impl Future<Output = Asked<bool>> {
         async { Ok(false) }
     }
 
     /// Works until a command leads out of the configuration.
     ///
     /// # Errors
-    /// [`Quit`] when the display is being closed.
-    fn work(&mut self, desk: &mut Desk<'_>) -> impl Future<Output = Result<Next, Quit>>;
+    /// [`Stop::Closed`] when the display is being closed.
+    fn work(&mut self, desk: &mut Desk<'_>) -> impl Future<Output = Asked<Next>>;
 
     /// The whole configuration as text, also what its files cannot hold: what is kept while it is unsaved.
     ///
@@ -116,23 +116,19 @@ pub fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Resul
 /// an earlier session has lost is offered first.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed and nothing is left to save.
+/// [`Stop::Closed`] when the display is being closed and nothing is left to save.
 pub async fn run<C: Configuration>(
     mut state: C,
     desk: &mut Desk<'_>,
     document: Option<Document>,
-) -> Result<(), Quit> {
+) -> Asked<()> {
     let ended = live(&mut state, desk, document).await;
     // Here the user has been asked whatever was to be asked; whoever breaks off does not come here.
     rescue::forget(desk);
     ended
 }
 
-async fn live<C: Configuration>(
-    state: &mut C,
-    desk: &mut Desk<'_>,
-    document: Option<Document>,
-) -> Result<(), Quit> {
+async fn live<C: Configuration>(state: &mut C, desk: &mut Desk<'_>, document: Option<Document>) -> Asked<()> {
     let mut next = match document {
         Some(document) => begin_with(state, desk, &document).await?,
         None => Next::Restart,
@@ -145,8 +141,10 @@ async fn live<C: Configuration>(
         };
         next = match step {
             Ok(next) => next,
-            Err(Quit) if may_close(state, desk).await => return Err(Quit),
-            Err(Quit) => {
+            // A command that was cancelled; what is worked on is as it was.
+            Err(Stop::Cancelled) => Next::Work,
+            Err(Stop::Closed) if may_close(state, desk).await => return Err(Stop::Closed),
+            Err(Stop::Closed) => {
                 desk.machine.stay();
                 Next::Work
             }
@@ -159,7 +157,7 @@ async fn begin_with<C: Configuration>(
     state: &mut C,
     desk: &mut Desk<'_>,
     document: &Document,
-) -> Result<Next, Quit> {
+) -> Asked<Next> {
     if offer_lost(state, desk).await? {
         return Ok(Next::Work);
     }
@@ -173,7 +171,7 @@ async fn begin_with<C: Configuration>(
 }
 
 /// Offers lost work; whether some was taken up, as unsaved as it is.
-async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<bool> {
     let taken = rescue::offer(state, desk, C::take_up, C::reset).await?;
     if taken {
         state.history().mark_unsaved();
@@ -195,11 +193,8 @@ pub fn keep<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) {
 /// Keeps unsaved work, shows the program's picture and sleeps until something happens.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub async fn event<C: Configuration>(
-    state: &mut C,
-    desk: &mut Desk<'_>,
-) -> Result<crate::machine::Tick, Quit> {
+/// [`Stop::Closed`] when the display is being closed.
+pub async fn event<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<crate::machine::Tick> {
     keep(state, desk);
     desk.machine.publish(state.model());
     desk.event(&*state).await
@@ -209,20 +204,20 @@ pub async fn event<C: Configuration>(
 /// the menu runs goes back to it. Whether it was one.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed, or to go back.
+/// [`Stop::Closed`] when the display is being closed, or to go back.
 pub async fn common_key<C: Configuration>(
     state: &mut C,
     desk: &mut Desk<'_>,
     key: Option<Key>,
-) -> Result<bool, Quit> {
+) -> Asked<bool> {
     let moved = match key {
         Some(Key::Ctrl('Z')) => state.history().undo(),
         Some(Key::Ctrl('Y')) => state.history().redo(),
         Some(Key::Ctrl('S')) => {
-            save(state, desk).await?;
+            save(state, desk).await.unless_cancelled()?;
             true
         }
-        Some(Key::Esc) if desk.machine.leave() => return Err(Quit),
+        Some(Key::Esc) if desk.machine.leave() => return Err(Stop::Closed),
         _ => return Ok(false),
     };
     if !moved {
@@ -232,7 +227,7 @@ pub async fn common_key<C: Configuration>(
 }
 
 /// Asks for a new or a stored configuration until there is one.
-async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(), Quit> {
+async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()> {
     state.reset();
     desk.machine.set_file(None);
     keep(state, desk);
@@ -246,13 +241,13 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
     loop {
         desk.machine.publish(state.model());
         let question = Question::new(MIDDLE, words::ASK_CONFIGURATION, [words::NEW, words::STORED]);
-        match desk.ask(&*state, &question).await? {
+        match desk.ask(&*state, &question).await.unless_cancelled()? {
             Some(Answer::Second) => {}
-            None if desk.machine.leave() => return Err(Quit),
+            None if desk.machine.leave() => return Err(Stop::Closed),
             Some(Answer::First) | None => return Ok(()),
         }
-        let name = desk.file_name(&*state, state.format().extension(), Way::Load).await?;
-        let Some(name) = name else { continue };
+        let name = desk.file_name(&*state, state.format().extension(), Way::Load).await;
+        let Some(name) = name.unless_cancelled()? else { continue };
         match state.read(desk.machine.storage(), &name) {
             Ok(()) => {
                 desk.machine.set_file(Some(name));
@@ -264,9 +259,8 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<(
 }
 
 /// Asks for a name and saves; whether it was done.
-async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
+async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<bool> {
     let name = desk.file_name(&*state, state.extension(), Way::Save).await?;
-    let Some(name) = name else { return Ok(false) };
     let stored = match state.files(&name) {
         Ok(files) => {
             let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
@@ -298,30 +292,30 @@ fn store(files: &[(String, Vec<u8>)], storage: &mut dyn Storage) -> Result<(), P
     Ok(())
 }
 
-/// Asks whether to save until it is answered and done; `false` is Esc: nothing shall be left.
-async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<bool, Quit> {
-    loop {
-        match desk.ask(&*state, &Question::yes_no(words::ASK_SAVE)).await? {
-            None => return Ok(false),
-            Some(Answer::Second) => return Ok(true),
-            Some(Answer::First) if save(state, desk).await? => return Ok(true),
-            Some(Answer::First) => {}
+/// Asks whether to save until it is answered and done; Esc: nothing shall be left.
+async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()> {
+    while desk.yes(&*state, words::ASK_SAVE).await? {
+        // Esc in the questions for the name leads back to this one.
+        if save(state, desk).await.unless_cancelled()? == Some(true) {
+            break;
         }
     }
+    Ok(())
 }
 
-/// The command Q: save, end, or a new configuration.
+/// The command Q: save, end, or a new configuration. Esc is the way back to work; to a question that can be
+/// answered by no, it is that.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Result<Next, Quit> {
-    if !offer_to_save(state, desk).await? {
+/// [`Stop::Closed`] when the display is being closed.
+pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<Next> {
+    if offer_to_save(state, desk).await.unless_cancelled()?.is_none() {
         return Ok(Next::Work);
     }
-    if desk.yes(&*state, words::ASK_END).await? {
+    if desk.yes(&*state, words::ASK_END).await.unless_cancelled()? == Some(true) {
         return Ok(Next::End);
     }
-    if desk.yes(&*state, words::ASK_NEW).await? {
+    if desk.yes(&*state, words::ASK_NEW).await.unless_cancelled()? == Some(true) {
         return Ok(Next::Restart);
     }
     Ok(Next::Work)
@@ -331,8 +325,10 @@ pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Resul
 /// button pressed again leaves the question standing, so that no slip loses work.
 async fn may_close<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> bool {
     while state.history().unsaved() {
-        if let Ok(leave) = offer_to_save(state, desk).await {
-            return leave;
+        match offer_to_save(state, desk).await {
+            Ok(()) => return true,
+            Err(Stop::Cancelled) => return false,
+            Err(Stop::Closed) => {}
         }
     }
     true

@@ -2,7 +2,7 @@
 //!
 //! What the work is as text, and how it is taken up, is the program's.
 
-use crate::machine::{Quit, Verdict, Work};
+use crate::machine::{Asked, Asking, Verdict, Work};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Picture, Stay};
 
@@ -37,13 +37,13 @@ pub fn forget(desk: &mut Desk<'_>) {
 /// `put_down` goes back to the start.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed; the work will be offered at the next start.
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed; the work will be offered at the next start.
 pub async fn offer<P: Picture>(
     program: &mut P,
     desk: &mut Desk<'_>,
     take_up: fn(&mut P, &str) -> Result<(), Phrase>,
     put_down: fn(&mut P),
-) -> Result<bool, Quit> {
+) -> Asked<bool> {
     let mut broken: Option<(String, Phrase)> = None;
     let mut more = 0;
     let name = desk.program();
@@ -85,12 +85,12 @@ pub async fn offer<P: Picture>(
 }
 
 /// Asks what shall become of work. Only a second yes deletes it.
-async fn decide(picture: &impl Picture, desk: &mut Desk<'_>, facts: &Phrase) -> Result<Verdict, Quit> {
-    match desk.ask_about(picture, facts, words::ASK_TAKE_UP).await? {
+async fn decide(picture: &impl Picture, desk: &mut Desk<'_>, facts: &Phrase) -> Asked<Verdict> {
+    match desk.ask_about(picture, facts, words::ASK_TAKE_UP).await.unless_cancelled()? {
         Some(Answer::First) => return Ok(Verdict::TakenUp),
         None => return Ok(Verdict::Later),
         Some(Answer::Second) => {}
     }
-    let answer = desk.ask_about(picture, &words::GIVING_UP.into(), words::ASK_GIVE_UP).await?;
-    Ok(if answer == Some(Answer::First) { Verdict::Deleted } else { Verdict::Later })
+    let answer = desk.ask_about(picture, &words::GIVING_UP.into(), words::ASK_GIVE_UP).await;
+    Ok(if answer.unless_cancelled()? == Some(Answer::First) { Verdict::Deleted } else { Verdict::Later })
 }

@@ -4,7 +4,7 @@ use super::coefficient::{coefficients, curve};
 use super::{Editor, layout};
 use crate::file::{Document, Format, Fourier, HARMONICS, PlanePoints};
 use crate::geometry::{self, BoundingBox, ClosedPath, CubicBezier, Deviation, GeometryError, Point};
-use crate::machine::Quit;
+use crate::machine::Asked;
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP, Way};
 use crate::work::read_document;
@@ -89,10 +89,9 @@ fn into_field(bounds: BoundingBox<2>, point: Point<2>) -> Point<2> {
 
 impl Editor {
     /// Asks for a file of control points, the number of harmonics and the shape, and fits.
-    pub(super) async fn fit(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    pub(super) async fn fit(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         self.marked = None;
         let name = desk.file_name(self, Format::Ip2.extension(), Way::Load).await?;
-        let Some(name) = name else { return Ok(()) };
         let points = match read_document(desk.machine.storage(), &name, Format::Ip2) {
             Ok(Document::PlanePoints(PlanePoints { points, .. })) => points,
             Ok(_) => Vec::new(),
@@ -101,12 +100,11 @@ impl Editor {
                 return Ok(());
             }
         };
-        let Some(harmonics) = self.ask_harmonics(desk).await? else { return Ok(()) };
+        let harmonics = self.ask_harmonics(desk).await?;
         let question = Question::new(TOP, words::ASK_FIT_SHAPE, [words::POLYGON, words::SPLINE_SHAPE]);
         let shape = match desk.ask(self, &question).await? {
-            Some(Answer::First) => Shape::Polygon,
-            Some(Answer::Second) => Shape::Spline,
-            None => return Ok(()),
+            Answer::First => Shape::Polygon,
+            Answer::Second => Shape::Spline,
         };
         let fitted =
             Target::new(&name, shape, &points).and_then(|target| Ok((target.fit(harmonics)?, target)));
@@ -120,15 +118,15 @@ impl Editor {
         Ok(())
     }
 
-    async fn ask_harmonics(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
+    async fn ask_harmonics(&self, desk: &mut Desk<'_>) -> Asked<usize> {
         let field = Field {
             area: Area::new(330, 19, 361, 32),
             at: (338, 22),
             longest: 2,
             kind: Number::Whole(1..=MOST as i32),
         };
-        let form = Form::new(vec![Caption::new((222, 23), words::HARMONICS_ENTRY)], vec![field]);
-        let numbers = desk.numbers(self, &form).await?;
-        Ok(numbers.and_then(|numbers| numbers.first().map(|&number| number as usize)))
+        let form = Form::new(vec![Caption::new((222, 23), words::HARMONICS_ENTRY)], [field]);
+        let [number] = desk.numbers(self, &form).await?;
+        Ok(number as usize)
     }
 }

@@ -12,7 +12,7 @@ pub use coefficient::{coefficients, curve};
 
 use super::keys::{SAVE, UNDO};
 use crate::file::{Document, Format, Fourier};
-use crate::machine::{Event, Key, Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Event, Key, Machine, Stop, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{
@@ -85,8 +85,8 @@ pub fn start(manual: Manual, document: Option<Document>) -> Result<Start, Phrase
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed and nothing is left to save.
-pub async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Result<(), Quit> {
+/// [`Stop::Closed`] when the display is being closed and nothing is left to save.
+pub async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Asked<()> {
     work::run(Editor::new(), &mut Desk::new(machine, manual), document).await
 }
 
@@ -150,7 +150,7 @@ impl Configuration for Editor {
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         self.typing = None;
         loop {
             self.stage = Stage::Working;
@@ -167,7 +167,7 @@ impl Configuration for Editor {
             }
             match self.command(&tick) {
                 Some('V') => {
-                    if let Some(place) = self.ask_coefficient(desk).await? {
+                    if let Some(place) = self.ask_coefficient(desk).await.unless_cancelled()? {
                         self.begin(place);
                     }
                 }
@@ -178,7 +178,9 @@ impl Configuration for Editor {
                         return Ok(next);
                     }
                 }
-                _ if tick.pressed(Key::F(5)) => self.fit(desk).await?,
+                _ if tick.pressed(Key::F(5)) => {
+                    self.fit(desk).await.unless_cancelled()?;
+                }
                 _ => self.walk(tick.key()),
             }
         }
@@ -317,8 +319,8 @@ impl Editor {
         }
     }
 
-    /// Asks for a coefficient by name and number; `None` is Esc. A click on a window answers too.
-    async fn ask_coefficient(&mut self, desk: &mut Desk<'_>) -> Result<Option<Coefficient>, Quit> {
+    /// Asks for a coefficient by name and number. A click on a window answers too.
+    async fn ask_coefficient(&mut self, desk: &mut Desk<'_>) -> Asked<Coefficient> {
         self.marked = None;
         let windows = [Area::new(360, 10, 383, 23), Area::new(360, 28, 383, 41)];
         let mut column: Option<Column> = None;
@@ -336,11 +338,11 @@ impl Editor {
             });
             let tick = desk.event(&typing).await?;
             if let Some(place) = tick.click().and_then(|(x, y)| layout::coefficient_at(x, y)) {
-                return Ok(Some(place));
+                return Ok(place);
             }
             let Some(key) = tick.key() else { continue };
             match (column, number.key(key)) {
-                (_, Typed::Cancelled) => return Ok(None),
+                (_, Typed::Cancelled) => return Err(Stop::Cancelled),
                 (None, _) => {
                     number.text.clear();
                     column = tick.letter().and_then(Column::of_letter);
@@ -349,7 +351,7 @@ impl Editor {
                 (Some(column), Typed::Done) => {
                     let typed = number.text.parse().ok().filter(|k| column.numbers().contains(k));
                     match typed {
-                        Some(k) => return Ok(Some(Coefficient::new(column, k))),
+                        Some(k) => return Ok(Coefficient::new(column, k)),
                         None => {
                             number.text.clear();
                             desk.tell(words::no_such_coefficient(&column.numbers()), Stay::Briefly);

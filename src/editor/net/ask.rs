@@ -5,7 +5,7 @@ use super::Editor;
 use super::model::{Index, Part};
 use super::plan::Degree;
 use super::surface::Display;
-use crate::machine::{Key, Language, Quit};
+use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Words};
 use crate::ui::{
@@ -28,14 +28,17 @@ impl Part {
 }
 
 impl Editor {
-    /// Asks for a control point: its two numbers, which are digits where the net is small; nothing for Esc.
-    pub(super) async fn ask_index(&self, desk: &mut Desk<'_>) -> Result<Option<Index>, Quit> {
+    /// Asks for a control point: its two numbers, which are digits where the net is small.
+    pub(super) async fn ask_index(&self, desk: &mut Desk<'_>) -> Asked<Index> {
         let counts = self.history.now().choices(&self.plan);
         if counts.iter().any(|&count| count > 10) {
             return self.ask_large_index(desk, counts).await;
         }
         let mut digits: Vec<usize> = Vec::new();
-        while digits.len() < 2 {
+        loop {
+            if let &[k, l] = digits.as_slice() {
+                return Ok([k, l]);
+            }
             let active = digits.len();
             let tick = desk
                 .event(&|screen: &mut Screen, language: Language| {
@@ -44,18 +47,17 @@ impl Editor {
                 })
                 .await?;
             if tick.pressed(Key::Esc) {
-                return Ok(None);
+                return Err(Stop::Cancelled);
             }
             if let Some(index) = tick.click().and_then(|place| self.map().hit(place)) {
-                return Ok(Some(index));
+                return Ok(index);
             }
             let digit = tick.letter().and_then(|letter| letter.to_digit(10)).map(|digit| digit as usize);
             digits.extend(digit.filter(|digit| counts.get(active).is_some_and(|count| digit < count)));
         }
-        Ok(digits.try_into().ok())
     }
 
-    async fn ask_large_index(&self, desk: &mut Desk<'_>, counts: [usize; 2]) -> Result<Option<Index>, Quit> {
+    async fn ask_large_index(&self, desk: &mut Desk<'_>, counts: [usize; 2]) -> Asked<Index> {
         let last = |direction: usize| i32::try_from(counts[direction].saturating_sub(1)).unwrap_or(i32::MAX);
         let field = |direction: usize| Field {
             area: DIGITS[direction],
@@ -68,15 +70,12 @@ impl Editor {
             Caption::new((350, 12), Words("k", "k")),
             Caption::new((350, 30), Words("l", "l")),
         ];
-        let numbers = desk.numbers(self, &Form::new(captions, vec![field(0), field(1)])).await?;
-        Ok(numbers.and_then(|numbers| match numbers.as_slice() {
-            &[k, l] => Some([k as usize, l as usize]),
-            _ => None,
-        }))
+        let numbers = desk.numbers(self, &Form::new(captions, [field(0), field(1)])).await?;
+        Ok(numbers.map(|number| number as usize))
     }
 
-    /// Asks what of a Hermite patch's corner shall change; nothing for Esc.
-    pub(super) async fn ask_part(&self, desk: &mut Desk<'_>) -> Result<Option<Part>, Quit> {
+    /// Asks what of a Hermite patch's corner shall change.
+    pub(super) async fn ask_part(&self, desk: &mut Desk<'_>) -> Asked<Part> {
         let choices = Choices {
             place: TOP,
             captions: vec![
@@ -84,45 +83,41 @@ impl Editor {
                 Caption::new((310, 18), words::TANGENT_TITLE),
             ],
             answers: vec![
-                (Area::new(220, 15, 280, 28), words::PLACE),
-                (Area::new(375, 15, 435, 28), words::TWIST),
-                (Area::new(270, 31, 330, 44), words::TANGENT_U),
-                (Area::new(335, 31, 395, 44), words::TANGENT_V),
+                (Area::new(220, 15, 280, 28), words::PLACE, Part::Place),
+                (Area::new(375, 15, 435, 28), words::TWIST, Part::Twist),
+                (Area::new(270, 31, 330, 44), words::TANGENT_U, Part::TangentU),
+                (Area::new(335, 31, 395, 44), words::TANGENT_V, Part::TangentV),
             ],
-        };
-        let chosen = desk.choose(self, &choices).await?;
-        Ok(chosen.and_then(|index| Part::ALL.get(index).copied()))
-    }
-
-    /// Asks for the direction u (0) or v (1); nothing for Esc.
-    pub(super) async fn ask_direction(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
-        let question = Question::new(TOP, words::ASK_DIRECTION, [words::ALONG_U, words::ALONG_V]);
-        Ok(desk.ask(self, &question).await?.map(|answer| match answer {
-            Answer::First => 0,
-            Answer::Second => 1,
-        }))
-    }
-
-    /// Asks for an axis: x (0), y (1) or z (2); nothing for Esc.
-    pub(super) async fn ask_axis(&self, desk: &mut Desk<'_>) -> Result<Option<usize>, Quit> {
-        let window = |index: i32| Area::new(250 + 60 * index, 26, 290 + 60 * index, 39);
-        let choices = Choices {
-            place: TOP,
-            captions: vec![Caption::new((224, 13), words::ASK_AXIS)],
-            answers: (0..).map(window).zip(words::AXES).collect(),
         };
         desk.choose(self, &choices).await
     }
 
-    /// Asks for the degree and how the surface is drawn; nothing for Esc. The first page stays on the
+    /// Asks for the direction u (0) or v (1).
+    pub(super) async fn ask_direction(&self, desk: &mut Desk<'_>) -> Asked<usize> {
+        let question = Question::new(TOP, words::ASK_DIRECTION, [words::ALONG_U, words::ALONG_V]);
+        Ok(match desk.ask(self, &question).await? {
+            Answer::First => 0,
+            Answer::Second => 1,
+        })
+    }
+
+    /// Asks for an axis: x (0), y (1) or z (2).
+    pub(super) async fn ask_axis(&self, desk: &mut Desk<'_>) -> Asked<usize> {
+        let windows = [250, 310, 370].map(|x| Area::new(x, 26, x + 40, 39));
+        let answers = windows.into_iter().zip(words::AXES).zip(0..);
+        let choices = Choices {
+            place: TOP,
+            captions: vec![Caption::new((224, 13), words::ASK_AXIS)],
+            answers: answers.map(|((area, text), axis)| (area, text, axis)).collect(),
+        };
+        desk.choose(self, &choices).await
+    }
+
+    /// Asks for the degree and how the surface is drawn. The first page stays on the
     /// screen under the second one.
-    pub(super) async fn ask_degree_and_display(
-        &self,
-        desk: &mut Desk<'_>,
-    ) -> Result<Option<(Degree, Display)>, Quit> {
+    pub(super) async fn ask_degree_and_display(&self, desk: &mut Desk<'_>) -> Asked<(Degree, Display)> {
         let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
-        let Some(answer) = desk.ask(self, &question).await? else { return Ok(None) };
-        let degree = match answer {
+        let degree = match desk.ask(self, &question).await? {
             Answer::First => Degree::Two,
             Answer::Second => Degree::Three,
         };
@@ -131,17 +126,17 @@ impl Editor {
             self.draw(screen, language);
             page.draw(screen, language);
         };
-        Ok(ask_display(desk, &under).await?.map(|display| (degree, display)))
+        Ok((degree, ask_display(desk, &under).await?))
     }
 }
 
-/// Asks how the surface is drawn; nothing for Esc.
-pub(super) async fn ask_display(desk: &mut Desk<'_>, picture: &dyn Picture) -> Result<Option<Display>, Quit> {
+/// Asks how the surface is drawn.
+pub(super) async fn ask_display(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Display> {
     let question = Question::new(TOP, words::ASK_DISPLAY, [words::WIRE, words::FILLED]);
-    Ok(desk.ask(picture, &question).await?.map(|answer| match answer {
+    Ok(match desk.ask(picture, &question).await? {
         Answer::First => Display::Wire,
         Answer::Second => Display::Filled,
-    }))
+    })
 }
 
 fn draw_digits(screen: &mut Screen, digits: &[usize], language: Language) {

@@ -9,7 +9,7 @@ use crate::editor::beta::{BIAS, TENSION};
 use crate::editor::choice::ask_real;
 use crate::editor::place::{ask_height, ask_place};
 use crate::geometry::{Border, RefineDirection, refine};
-use crate::machine::{Key, Quit};
+use crate::machine::{Asked, Asking, Key, Stop};
 use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Desk, Stay};
 use crate::work::{Next, event, quit};
@@ -20,7 +20,7 @@ const K0: RangeInclusive<f64> = 0.0..=1.0;
 
 impl Editor {
     /// Carries out the command of a letter; other letters do nothing.
-    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
+    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Asked<Next> {
         match (letter, self.plan.family) {
             ('V', _) => self.change(desk, None).await?,
             ('F', _) => self.show_surface(desk).await?,
@@ -49,7 +49,7 @@ impl Editor {
     }
 
     /// Carries out the command of a key beyond the original's; other keys do nothing.
-    pub(super) async fn obey_key(&mut self, desk: &mut Desk<'_>, key: Key) -> Result<Next, Quit> {
+    pub(super) async fn obey_key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Next> {
         match (key, self.plan.family) {
             (Key::F(3), _) => {
                 self.follow = !self.follow;
@@ -68,17 +68,15 @@ impl Editor {
                 self.say(desk, if reached { words::BORDER_REACHED } else { words::BORDER_DOUBLED });
             }
             (Key::F(7), family) if family != Family::Heights => {
-                if let Some(axis) = self.ask_axis(desk).await? {
-                    self.change_surface(desk, self.history.now().mirrored(axis));
-                }
+                let axis = self.ask_axis(desk).await?;
+                self.change_surface(desk, self.history.now().mirrored(axis));
             }
             (Key::F(7), _) => self.change_surface(desk, self.history.now().mirrored(2)),
             (Key::F(8), Family::BSpline | Family::Bezier | Family::Spline | Family::Heights) => {
-                if let Some(direction) = self.ask_direction(desk).await? {
-                    match self.refined(direction) {
-                        Ok(model) => self.change_surface(desk, model),
-                        Err(problem) => desk.tell(problem, Stay::UntilRead),
-                    }
+                let direction = self.ask_direction(desk).await?;
+                match self.refined(direction) {
+                    Ok(model) => self.change_surface(desk, model),
+                    Err(problem) => desk.tell(problem, Stay::UntilRead),
                 }
             }
             _ => {}
@@ -128,67 +126,57 @@ impl Editor {
     }
 
     /// The command V: another place for a control point, chosen by number or already.
-    pub(super) async fn change(&mut self, desk: &mut Desk<'_>, index: Option<Index>) -> Result<(), Quit> {
+    pub(super) async fn change(&mut self, desk: &mut Desk<'_>, index: Option<Index>) -> Asked<()> {
         self.changed();
         let index = match index {
-            Some(index) => Some(index),
+            Some(index) => index,
             None => self.ask_index(desk).await?,
         };
-        let Some(index) = index else { return Ok(()) };
         self.chosen = Some((index, Part::Place));
         let changed = self.ask_change(desk, index).await;
         self.chosen = None;
-        if let Some(model) = changed? {
-            self.history.change(model);
-        }
+        self.history.change(changed?);
         Ok(())
     }
 
     /// Asks for another value of a control point.
-    async fn ask_change(&mut self, desk: &mut Desk<'_>, index: Index) -> Result<Option<Model>, Quit> {
+    async fn ask_change(&mut self, desk: &mut Desk<'_>, index: Index) -> Asked<Model> {
         let part = match self.plan.family {
             Family::Hermite => self.ask_part(desk).await?,
-            _ => Some(Part::Place),
+            _ => Part::Place,
         };
-        let Some(part) = part else { return Ok(None) };
         self.chosen = Some((index, part));
         let now = self.history.now();
         if self.plan.family == Family::Heights {
             let height = ask_height(desk, self, words::HEIGHT_TITLE).await?;
-            let place = now.point(index).zip(height).map(|([x, y, _], height)| [x, y, height]);
-            return Ok(place.map(|place| now.moved(&self.plan, index, place)));
+            // The index was chosen among those that the net has.
+            let [x, y, _] = now.point(index).ok_or(Stop::Cancelled)?;
+            return Ok(now.moved(&self.plan, index, [x, y, height]));
         }
         let value = ask_place(desk, self, part.title()).await?;
-        Ok(value.map(|value| now.with_part(&self.plan, index, part, value)))
+        Ok(now.with_part(&self.plan, index, part, value))
     }
 
     /// The command F: the surface instead of the net.
-    async fn show_surface(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn show_surface(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         match self.plan.family {
             Family::Heights => {}
-            Family::BSpline => match self.ask_degree_and_display(desk).await? {
-                Some((degree, display)) => (self.degree, self.display) = (degree, display),
-                None => return Ok(()),
-            },
-            _ => match ask_display(desk, self).await? {
-                Some(display) => self.display = display,
-                None => return Ok(()),
-            },
+            Family::BSpline => (self.degree, self.display) = self.ask_degree_and_display(desk).await?,
+            _ => self.display = ask_display(desk, self).await?,
         }
         self.refresh(desk);
         Ok(())
     }
 
     /// The command E: the surface without its surroundings, to be looked at from all sides, until Esc.
-    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if !self.shown {
             desk.tell(words::NO_SURFACE, Stay::Briefly);
             return Ok(());
         }
         let asks = self.plan.family != Family::Heights;
         if asks {
-            let Some(display) = ask_display(desk, self).await? else { return Ok(()) };
-            self.display = display;
+            self.display = ask_display(desk, self).await?;
         }
         if !self.refresh(desk) {
             return Ok(());
@@ -209,7 +197,7 @@ impl Editor {
         self.viewer.stop();
         if asks {
             self.stage = Stage::Returning;
-            if let Some(display) = ask_display(desk, self).await? {
+            if let Some(display) = ask_display(desk, self).await.unless_cancelled()? {
                 self.display = display;
             }
         }
@@ -226,9 +214,9 @@ impl Editor {
         entry: (Words, (i32, i32)),
         range: RangeInclusive<f64>,
         parameter: fn(&mut Form) -> &mut [f64; 2],
-    ) -> Result<(), Quit> {
-        let Some(direction) = self.ask_direction(desk).await? else { return Ok(()) };
-        let Some(typed) = ask_real(desk, self, entry, TENSION).await? else { return Ok(()) };
+    ) -> Asked<()> {
+        let direction = self.ask_direction(desk).await?;
+        let typed = ask_real(desk, self, entry, TENSION).await?;
         let value = typed.clamp(*range.start(), *range.end());
         let mut model = self.history.now().clone();
         if let Some(place) = parameter(&mut model.form).get_mut(direction) {

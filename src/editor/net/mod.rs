@@ -20,7 +20,7 @@ use super::keys::{QUIT, SAVE, UNDO};
 use super::look::{Grip, Held, Look, Poles, Viewer};
 use crate::file::{Document, FileKind, Format};
 use crate::geometry::Point;
-use crate::machine::{Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Machine, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Desk, KeyHelp, Stay, Words};
 use crate::work::{self, Configuration, History, Next, common_key, event};
@@ -151,8 +151,8 @@ pub fn start(plan: &'static Plan, document: Option<Document>) -> Result<ui::Star
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed and nothing is left to save.
-pub async fn run(machine: &mut Machine, plan: Plan, document: Option<Document>) -> Result<(), Quit> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed and nothing is left to save.
+pub async fn run(machine: &mut Machine, plan: Plan, document: Option<Document>) -> Asked<()> {
     let manual = plan.manual;
     work::run(Editor::new(plan), &mut Desk::new(machine, manual), document).await
 }
@@ -239,7 +239,7 @@ impl Configuration for Editor {
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         self.held = None;
         self.viewer.stop();
         self.chosen = None;
@@ -247,19 +247,20 @@ impl Configuration for Editor {
             self.stage = Stage::Working;
             let tick = event(self, desk).await?;
             if self.held.is_some() {
-                self.drag(desk, &tick).await?;
+                self.drag(desk, &tick).await.unless_cancelled()?;
             } else if self.viewer.look_around(&tick) || self.inspect(desk, &tick) {
                 // Only the picture changes.
             } else if common_key(self, desk, tick.key()).await? {
                 self.changed();
             } else {
                 let next = match (self.command(&tick), tick.key()) {
-                    (Some(letter), _) => self.obey(desk, letter).await?,
-                    (None, Some(key)) => self.obey_key(desk, key).await?,
-                    (None, None) => self.choose_by_click(desk, &tick).await?,
+                    (Some(letter), _) => self.obey(desk, letter).await,
+                    (None, Some(key)) => self.obey_key(desk, key).await,
+                    (None, None) => self.choose_by_click(desk, &tick).await,
                 };
-                if next != Next::Work {
-                    return Ok(next);
+                match next.unless_cancelled()? {
+                    None | Some(Next::Work) => {}
+                    Some(next) => return Ok(next),
                 }
             }
         }
@@ -321,7 +322,7 @@ impl Editor {
     }
 
     /// A click on the map chooses its point; one on a control point in the picture takes it up.
-    async fn choose_by_click(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Result<Next, Quit> {
+    async fn choose_by_click(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<Next> {
         let Some(place) = tick.click() else { return Ok(Next::Work) };
         if let Some(index) = self.map().hit(place) {
             self.change(desk, Some(index)).await?;
@@ -333,7 +334,7 @@ impl Editor {
 
     /// Follows the mouse with the point that it holds, in the plane of the picture, and drops it. A point
     /// that has not been moved was only chosen.
-    async fn drag(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Result<(), Quit> {
+    async fn drag(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<()> {
         let Some(held) = &mut self.held else { return Ok(()) };
         match held.follow(tick, self.viewer.look) {
             Grip::Holding => {}

@@ -19,8 +19,6 @@ pub(super) enum Part {
 }
 
 impl Part {
-    pub(super) const ALL: [Part; 4] = [Part::Place, Part::Twist, Part::TangentU, Part::TangentV];
-
     /// Where it stands in the matrix (3.17), from the corner's place.
     fn offset(self) -> [usize; 2] {
         match self {

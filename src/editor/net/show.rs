@@ -7,7 +7,7 @@ use crate::editor::look::{Look, Poles, Viewer};
 use crate::figure::Figure;
 use crate::file::Document;
 use crate::geometry::{Grid, Point};
-use crate::machine::{Key, Language, Machine, Quit};
+use crate::machine::{Asked, Key, Language, Machine};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Desk, KeyHelp, Manual, Picture, Words};
@@ -64,8 +64,8 @@ impl Picture for Shown {
 /// Shows a surface until Esc.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed.
-pub async fn show(machine: &mut Machine, show: Show) -> Result<(), Quit> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+pub async fn show(machine: &mut Machine, show: Show) -> Asked<()> {
     let viewer = Viewer::new(Look::new(show.view, Poles::Cross));
     let mut shown = Shown { grid: show.grid, viewer, display: Display::Wire };
     let mut desk = Desk::new(machine, show.manual);

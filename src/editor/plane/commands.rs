@@ -6,7 +6,7 @@ use crate::editor::drawing::Edit;
 use crate::editor::points::{PointEditor, change, change_at, delete, insert};
 use crate::file::FIELD;
 use crate::geometry::{Method, Point};
-use crate::machine::{Key, Quit};
+use crate::machine::{Asked, Asking, Key};
 use crate::screen::Color;
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
@@ -19,7 +19,7 @@ impl PointEditor for Editor {
         &self.history.now().drawing
     }
 
-    async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<2>>, Quit> {
+    async fn ask_place(&self, desk: &mut Desk<'_>) -> Asked<Point<2>> {
         let field = |y: i32, largest: f64| Field {
             area: Area::new(340, y - 2, 378, y + 10),
             at: (348, y + 1),
@@ -31,9 +31,8 @@ impl PointEditor for Editor {
             Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
             Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
         ];
-        let form = Form::new(captions, vec![field(14, FIELD[0]), field(29, FIELD[1])]);
-        let numbers = desk.numbers(self, &form).await?;
-        Ok(numbers.map(|numbers| [numbers[0], numbers[1]]))
+        let form = Form::new(captions, [field(14, FIELD[0]), field(29, FIELD[1])]);
+        desk.numbers(self, &form).await
     }
 
     fn edit(&mut self, edit: Edit<Point<2>>) {
@@ -43,37 +42,38 @@ impl PointEditor for Editor {
 
 impl Editor {
     /// Carries out the command of a letter; other letters do nothing.
-    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
-        match letter {
-            'B' => insert(self, desk).await?,
-            'V' => self.change_point(desk).await?,
-            'T' => delete(self, desk).await?,
-            'G' => self.choose_curve(desk).await?,
-            'E' => self.show_result(desk).await?,
+    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Asked<Next> {
+        let carried_out = match letter {
+            'B' => insert(self, desk).await,
+            'V' => self.change_point(desk).await,
+            'T' => delete(self, desk).await,
+            'G' => self.choose_curve(desk).await,
+            'E' => self.show_result(desk).await,
             'A' | 'C' if self.tools == Tools::Beta => {
                 return self.change_shape(desk, letter).await.map(|()| Next::Work);
             }
             'Q' => return quit(self, desk).await,
             _ => return Ok(Next::Work),
-        }
+        };
+        // As in the original, the offer comes after a cancelled command too.
+        carried_out.unless_cancelled()?;
         self.offer_tangents = true;
         Ok(Next::Work)
     }
 
-    async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.count() < FEWEST {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         }
         self.stage = Stage::Choosing;
         self.forget_note();
-        let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
+        let closure = ask_closure(desk, self).await?;
         let method = match self.tools {
             Tools::Methods => ask_method(desk, self).await?,
-            Tools::Tangents => Some(Method::Coons { k0: self.k0 }),
-            Tools::Beta => Some(self.history.now().shape.method()),
+            Tools::Tangents => Method::Coons { k0: self.k0 },
+            Tools::Beta => self.history.now().shape.method(),
         };
-        let Some(method) = method else { return Ok(()) };
         let choice = Choice { closure, method };
         if let Err(error) = curves::pixels(self.tools, choice, self.history.now()) {
             desk.tell(words::no_curve(&error), Stay::UntilRead);
@@ -88,28 +88,26 @@ impl Editor {
     }
 
     /// The command V; where there are tangents, it asks first what of the point changes.
-    async fn change_point(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn change_point(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.tools != Tools::Tangents {
             return change(self, desk).await;
         }
-        let Some(index) = ask_existing(desk, self, self.count()).await? else { return Ok(()) };
+        let index = ask_existing(desk, self, self.count()).await?;
         let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
         match desk.ask(self, &what).await? {
-            Some(Answer::First) => change_at(self, desk, index).await,
-            Some(Answer::Second) => self.change_tangent(desk, index).await,
-            None => Ok(()),
+            Answer::First => change_at(self, desk, index).await,
+            Answer::Second => self.change_tangent(desk, index).await,
         }
     }
 
     /// Shows the curve without its surroundings until Esc.
-    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.shown.choice.is_none() || self.count() < FEWEST {
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(());
         }
         let question = Question::yes_no(words::ASK_POINTS);
         let answer = desk.ask(self, &question).await?;
-        let Some(answer) = answer else { return Ok(()) };
         self.stage = Stage::Result { points: answer == Answer::First };
         while !desk.event(self).await?.pressed(Key::Esc) {}
         // As in the original, the curve is gone from the editor's picture after this.

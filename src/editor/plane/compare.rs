@@ -2,14 +2,14 @@
 
 use super::Editor;
 use super::curves::Kind;
-use crate::machine::{Key, Language, Quit};
+use crate::machine::{Asked, Key, Language};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Area, Desk, Over, TOP};
 
 impl Editor {
     /// Chooses which curves are shown together, each in its colour.
-    pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
         loop {
             let compared = self.compared.clone();

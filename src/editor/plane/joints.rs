@@ -5,19 +5,18 @@ use super::layout::to_screen;
 use super::{Editor, Sketch, Tools, curves};
 use crate::editor::beta;
 use crate::geometry::Shape;
-use crate::machine::Quit;
+use crate::machine::Asked;
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Area, Caption, Desk, Field, Form, Number, Stay};
 
 impl Editor {
     /// Changes the bias (`A`) or the tension (`C`) of the whole curve.
-    pub(super) async fn change_shape(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<(), Quit> {
+    pub(super) async fn change_shape(&mut self, desk: &mut Desk<'_>, letter: char) -> Asked<()> {
         let number = match letter {
             'A' => beta::ask_bias(desk, self).await?,
             _ => beta::ask_tension(desk, self).await?,
         };
-        let Some(number) = number else { return Ok(()) };
         let set = |shape: &mut Shape| match letter {
             'A' => shape.bias = number,
             _ => shape.tension = number,
@@ -30,7 +29,7 @@ impl Editor {
     }
 
     /// Asks for a joint and gives it a shape of its own.
-    pub(super) async fn change_joint(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    pub(super) async fn change_joint(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.count() == 0 {
             desk.tell(words::NO_POINTS, Stay::Briefly);
             return Ok(());
@@ -48,15 +47,14 @@ impl Editor {
                 Caption::new((216, 30), words::JOINT_BIAS),
                 Caption::new((324, 30), words::JOINT_TENSION),
             ],
-            vec![
+            [
                 field(284, 12, 2, Number::Whole(1..=count)),
                 field(264, 30, 4, Number::Real(beta::BIAS)),
                 field(376, 30, 5, Number::Real(beta::TENSION)),
             ],
         );
-        let Some(numbers) = desk.numbers(self, &form).await? else { return Ok(()) };
-        let shape = Shape { bias: numbers[1], tension: numbers[2] };
-        let sketch = self.history.now().with_joint(numbers[0] as usize - 1, shape);
+        let [joint, bias, tension] = desk.numbers(self, &form).await?;
+        let sketch = self.history.now().with_joint(joint as usize - 1, Shape { bias, tension });
         self.reshape(desk, sketch);
         Ok(())
     }

@@ -26,7 +26,7 @@ use super::drawing::{self, Edit, Place};
 use super::stage::Stage;
 use crate::file::{Document, Format};
 use crate::geometry::{Closure, Point};
-use crate::machine::{Button, Event, Key, Machine, Quit, Storage, Tick};
+use crate::machine::{Asked, Asking, Button, Event, Key, Machine, Storage, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Desk, Manual, Start, Stay, Words};
 use crate::work::{self, Configuration, History, Next, common_key, event};
@@ -105,13 +105,13 @@ pub fn start(manual: Manual, tools: Tools, document: Option<Document>) -> Result
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed and nothing is left to save.
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed and nothing is left to save.
 pub async fn run(
     machine: &mut Machine,
     manual: Manual,
     tools: Tools,
     document: Option<Document>,
-) -> Result<(), Quit> {
+) -> Asked<()> {
     work::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
 }
 
@@ -175,7 +175,7 @@ impl Configuration for Editor {
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         self.held = None;
         if let Some(remark) = self.remark.take() {
             desk.tell(remark, Stay::UntilRead);
@@ -184,7 +184,7 @@ impl Configuration for Editor {
             self.stage = Stage::Working;
             if std::mem::take(&mut self.offer_tangents) {
                 work::keep(self, desk);
-                self.offer_automatic_tangents(desk).await?;
+                self.offer_automatic_tangents(desk).await.unless_cancelled()?;
             }
             let tick = event(self, desk).await?;
             if self.held.is_some() {
@@ -192,12 +192,12 @@ impl Configuration for Editor {
             } else if common_key(self, desk, tick.key()).await? {
                 self.shown.after_change();
             } else if let Some(letter) = self.command(&tick) {
-                let next = self.obey(desk, letter).await?;
+                let next = self.obey(desk, letter).await.unless_cancelled()?.unwrap_or(Next::Work);
                 if next != Next::Work {
                     return Ok(next);
                 }
             } else if let Some(Key::F(number)) = tick.key() {
-                self.function_key(desk, number).await?;
+                self.function_key(desk, number).await.unless_cancelled()?;
             }
         }
     }
@@ -263,7 +263,7 @@ impl Editor {
         }
     }
 
-    async fn function_key(&mut self, desk: &mut Desk<'_>, number: u8) -> Result<(), Quit> {
+    async fn function_key(&mut self, desk: &mut Desk<'_>, number: u8) -> Asked<()> {
         match (number, self.tools) {
             (3, _) => self.shown.toggle_follow(desk),
             (4, Tools::Methods) => self.compare(desk).await?,

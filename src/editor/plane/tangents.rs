@@ -5,7 +5,7 @@ use super::layout::to_screen;
 use super::{Editor, Sketch, Tools};
 use crate::editor::choice::{FEWEST, ask_closure, ask_coefficient};
 use crate::geometry::{Closure, Point, automatic_tangents};
-use crate::machine::Quit;
+use crate::machine::Asked;
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
@@ -45,16 +45,16 @@ pub(super) fn on_tip(tip: Point<2>, (x, y): (i32, i32)) -> bool {
 
 impl Editor {
     /// Asks whether the tangents shall be computed, as the original does after every action.
-    pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.tools != Tools::Tangents || self.count() < FEWEST {
             return Ok(());
         }
         let question = Question::new(TOP, words::ASK_AUTOMATIC, [words::YES, words::NO]);
-        if desk.ask(self, &question).await? != Some(Answer::First) {
+        if desk.ask(self, &question).await? == Answer::Second {
             return Ok(());
         }
-        let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
-        let Some(k0) = ask_coefficient(desk, self).await? else { return Ok(()) };
+        let closure = ask_closure(desk, self).await?;
+        let k0 = ask_coefficient(desk, self).await?;
         self.k0 = k0;
         self.shown.after_change();
         let Ok(sketch) = self.with_automatic_tangents(self.history.now(), closure) else {
@@ -78,30 +78,27 @@ impl Editor {
     }
 
     /// Changes the length or the direction of the tangent at a point.
-    pub(super) async fn change_tangent(&mut self, desk: &mut Desk<'_>, index: usize) -> Result<(), Quit> {
+    pub(super) async fn change_tangent(&mut self, desk: &mut Desk<'_>, index: usize) -> Asked<()> {
         let Some(tangent) = self.history.now().tangent(index) else { return Ok(()) };
         let question = Question::new(TOP, words::ASK_CHANGE, [words::LENGTH, words::ANGLE]);
-        let Some(answer) = desk.ask(self, &question).await? else { return Ok(()) };
-        let changed = match answer {
+        let changed = match desk.ask(self, &question).await? {
             Answer::First => self.ask_length(desk, tangent).await?,
             Answer::Second => self.ask_angle(desk, tangent).await?,
         };
-        if let Some(tangent) = changed {
-            self.change(self.history.now().with_tangent(index, tangent.map(f64::round_ties_even)));
-        }
+        self.change(self.history.now().with_tangent(index, changed.map(f64::round_ties_even)));
         Ok(())
     }
 
-    async fn ask_length(&self, desk: &mut Desk<'_>, [x, y]: Point<2>) -> Result<Option<Point<2>>, Quit> {
+    async fn ask_length(&self, desk: &mut Desk<'_>, [x, y]: Point<2>) -> Asked<Point<2>> {
         let length = x.hypot(y);
         let form = tangent_form(words::TANGENT_LENGTH, (212, 30), length.round(), 999);
-        let Some(numbers) = desk.numbers(self, &form).await? else { return Ok(None) };
-        let factor = numbers[0] / length;
+        let [longer] = desk.numbers(self, &form).await?;
+        let factor = longer / length;
         // A tangent without a direction gets one to the right.
-        Ok(Some(if length < 1.0 { [numbers[0], 0.0] } else { [x * factor, y * factor] }))
+        Ok(if length < 1.0 { [longer, 0.0] } else { [x * factor, y * factor] })
     }
 
-    async fn ask_angle(&self, desk: &mut Desk<'_>, [x, y]: Point<2>) -> Result<Option<Point<2>>, Quit> {
+    async fn ask_angle(&self, desk: &mut Desk<'_>, [x, y]: Point<2>) -> Asked<Point<2>> {
         let degrees = y.atan2(x).to_degrees().round().rem_euclid(360.0);
         let mut form = tangent_form(words::TANGENT_ANGLE, (276, 20), degrees, 359);
         form.ornament = |screen| {
@@ -109,20 +106,20 @@ impl Editor {
             let labels = [(256, 22, "0"), (212, 22, "180"), (239, 9, "90"), (235, 36, "270"), (380, 27, "°")];
             labels.into_iter().for_each(|(x, y, text)| screen.text(x, y, text, Color::Black));
         };
-        let Some(numbers) = desk.numbers(self, &form).await? else { return Ok(None) };
-        let (sine, cosine) = numbers[0].to_radians().sin_cos();
+        let [turned] = desk.numbers(self, &form).await?;
+        let (sine, cosine) = turned.to_radians().sin_cos();
         let length = x.hypot(y);
-        Ok(Some([length * cosine, length * sine]))
+        Ok([length * cosine, length * sine])
     }
 }
 
 /// The page that asks for a whole number from 0 on and says what it is now.
-fn tangent_form(title: Words, now_at: (i32, i32), now: f64, largest: i32) -> Form {
+fn tangent_form(title: Words, now_at: (i32, i32), now: f64, largest: i32) -> Form<1> {
     let captions = vec![
         Caption::new((285, 10), title),
         Caption::new(now_at, words::now_it_is(now)),
         Caption::new((316, 30), words::NEW_VALUE),
     ];
     let kind = Number::Whole(0..=largest);
-    Form::new(captions, vec![Field { area: Area::new(340, 27, 378, 39), at: (348, 30), longest: 3, kind }])
+    Form::new(captions, [Field { area: Area::new(340, 27, 378, 39), at: (348, 30), longest: 3, kind }])
 }

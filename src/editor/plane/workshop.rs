@@ -7,7 +7,7 @@ use super::{Drawing, Editor, Sketch};
 use crate::editor::choice::FEWEST;
 use crate::figure::Figure;
 use crate::geometry::{FEWEST_MEASURED, Residuals, Smoothed, Smoothing, smooth};
-use crate::machine::{Key, Language, Quit};
+use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Desk, Picture, Stay, TOP, page};
@@ -25,7 +25,7 @@ const LEFT: i32 = 214;
 impl Editor {
     /// The key F5: shows the curves and the smoothed points; Enter takes these over, Esc leaves all as it
     /// was.
-    pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.count() < FEWEST {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
@@ -42,19 +42,18 @@ impl Editor {
         let compared = std::mem::replace(&mut self.compared, COMPARED.to_vec());
         let taken = self.look_at(desk, &smoothed).await;
         (self.shown, self.compared) = (shown, compared);
-        if taken? {
-            self.take_over(&smoothed);
-        }
+        taken?;
+        self.take_over(&smoothed);
         Ok(())
     }
 
-    /// Shows the workshop until Enter, which is `true`, or Esc.
-    async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<2>) -> Result<bool, Quit> {
+    /// Shows the workshop until Enter, or Esc, which cancels.
+    async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<2>) -> Asked<()> {
         let workshop = Workshop { editor: self, smoothed };
         loop {
             match desk.event(&workshop).await?.key() {
-                Some(Key::Enter) => return Ok(true),
-                Some(Key::Esc | Key::F(5)) => return Ok(false),
+                Some(Key::Enter) => return Ok(()),
+                Some(Key::Esc | Key::F(5)) => return Err(Stop::Cancelled),
                 _ => {}
             }
         }

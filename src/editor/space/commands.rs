@@ -7,7 +7,7 @@ use crate::editor::drawing::Edit;
 use crate::editor::place::ask_place;
 use crate::editor::points::{PointEditor, change, delete, insert};
 use crate::geometry::{Method, Point, Shape};
-use crate::machine::{Key, Quit};
+use crate::machine::{Asked, Key};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Question, Stay};
 use crate::work::{Next, event, quit};
@@ -26,7 +26,7 @@ impl PointEditor for Editor {
         self.note = None;
     }
 
-    async fn ask_place(&self, desk: &mut Desk<'_>) -> Result<Option<Point<3>>, Quit> {
+    async fn ask_place(&self, desk: &mut Desk<'_>) -> Asked<Point<3>> {
         ask_place(desk, self, words::PLACE_3D).await
     }
 
@@ -37,7 +37,7 @@ impl PointEditor for Editor {
 
 impl Editor {
     /// Carries out the command of a letter; other letters do nothing.
-    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Result<Next, Quit> {
+    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Asked<Next> {
         match (letter, self.tools) {
             ('B', _) => insert(self, desk).await?,
             ('V', _) => change(self, desk).await?,
@@ -45,14 +45,12 @@ impl Editor {
             ('G', _) => self.choose_curve(desk).await?,
             ('E', _) => self.show_result(desk).await?,
             ('A', Tools::Beta) => {
-                if let Some(bias) = ask_bias(desk, self).await? {
-                    self.reshape(desk, Shape { bias, ..self.shape });
-                }
+                let bias = ask_bias(desk, self).await?;
+                self.reshape(desk, Shape { bias, ..self.shape });
             }
             ('C', Tools::Beta) => {
-                if let Some(tension) = ask_tension(desk, self).await? {
-                    self.reshape(desk, Shape { tension, ..self.shape });
-                }
+                let tension = ask_tension(desk, self).await?;
+                self.reshape(desk, Shape { tension, ..self.shape });
             }
             ('Q', _) => {
                 let next = quit(self, desk).await?;
@@ -86,19 +84,18 @@ impl Editor {
         choice.curve(points).err().map(|error| words::no_curve(&error))
     }
 
-    async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.history.now().points().len() < FEWEST {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         }
         self.stage = Stage::Choosing;
         self.note = None;
-        let Some(closure) = ask_closure(desk, self).await? else { return Ok(()) };
+        let closure = ask_closure(desk, self).await?;
         let method = match self.tools {
             Tools::Methods => ask_method(desk, self).await?,
-            Tools::Beta => Some(self.shape.method()),
+            Tools::Beta => self.shape.method(),
         };
-        let Some(method) = method else { return Ok(()) };
         let choice = Choice { closure, method };
         if let Some(problem) = self.problem(choice) {
             self.shown.take(None);
@@ -113,7 +110,7 @@ impl Editor {
     }
 
     /// Shows the curve without its surroundings, to be looked at from all sides, until Esc.
-    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Result<(), Quit> {
+    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let Some(choice) = self.shown.choice else {
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(());
@@ -123,7 +120,7 @@ impl Editor {
             return Ok(());
         }
         let question = Question::yes_no(words::ASK_POINTS);
-        let Some(answer) = desk.ask(self, &question).await? else { return Ok(()) };
+        let answer = desk.ask(self, &question).await?;
         self.stage = Stage::Result { points: answer == Answer::First };
         loop {
             let tick = event(self, desk).await?;

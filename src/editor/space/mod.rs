@@ -13,7 +13,7 @@ use super::look::{Grip, Held, Look, Poles, Viewer};
 use super::stage::Stage;
 use crate::file::{Document, Format, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point, Shape};
-use crate::machine::{Key, Machine, Quit, Tick};
+use crate::machine::{Asked, Asking, Key, Machine, Tick};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Desk, KeyHelp, Manual, Start, Words};
 use crate::work::{self, Configuration, History, Next, common_key, event};
@@ -101,13 +101,13 @@ pub fn start(manual: Manual, tools: Tools, document: Option<Document>) -> Result
 /// Runs the editor as a program, with a document that was named at the start or none.
 ///
 /// # Errors
-/// [`Quit`] when the display is being closed and nothing is left to save.
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed and nothing is left to save.
 pub async fn run(
     machine: &mut Machine,
     manual: Manual,
     tools: Tools,
     document: Option<Document>,
-) -> Result<(), Quit> {
+) -> Asked<()> {
     work::run(Editor::new(tools), &mut Desk::new(machine, manual), document).await
 }
 
@@ -166,7 +166,7 @@ impl Configuration for Editor {
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Result<Next, Quit> {
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         self.held = None;
         self.viewer.stop();
         self.pointed_out = None;
@@ -180,7 +180,7 @@ impl Configuration for Editor {
             } else if common_key(self, desk, tick.key()).await? {
                 self.shown.after_change();
             } else if let Some(letter) = self.command(&tick) {
-                let next = self.obey(desk, letter).await?;
+                let next = self.obey(desk, letter).await.unless_cancelled()?.unwrap_or(Next::Work);
                 if next != Next::Work {
                     return Ok(next);
                 }

@@ -1,0 +1,59 @@
+//! Why a question has no answer, and what a caller does about it.
+
+use std::fmt;
+
+/// Why a program does not get what it waits for. Both reasons travel by `?`: closing goes out through
+/// everything that is open, Esc up to the one place that carries out commands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The display is being closed, or a guest returns to the program that runs it. One that has something to
+    /// save catches it and asks.
+    Closed,
+    /// Esc: the command that asks shall not be carried out. Only questions stop so, never a wait for an event.
+    Cancelled,
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Stop::Closed => "the display is being closed",
+            Stop::Cancelled => "Esc was pressed",
+        })
+    }
+}
+
+impl std::error::Error for Stop {}
+
+/// What is asked for, or why it is not there.
+pub type Asked<T> = Result<T, Stop>;
+
+/// What can be done with an [`Asked`] besides `?`.
+pub trait Asking<T> {
+    /// `None` for Esc, where it has a meaning of its own; closing goes on by `?`.
+    ///
+    /// # Errors
+    /// [`Stop::Closed`] and nothing else.
+    fn unless_cancelled(self) -> Asked<Option<T>>;
+}
+
+impl<T> Asking<T> for Asked<T> {
+    fn unless_cancelled(self) -> Asked<Option<T>> {
+        match self {
+            Ok(answer) => Ok(Some(answer)),
+            Err(Stop::Cancelled) => Ok(None),
+            Err(Stop::Closed) => Err(Stop::Closed),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_esc_can_be_given_a_meaning() {
+        assert_eq!(Ok(1).unless_cancelled(), Ok(Some(1)));
+        assert_eq!(Err::<i32, _>(Stop::Cancelled).unless_cancelled(), Ok(None));
+        assert_eq!(Err::<i32, _>(Stop::Closed).unless_cancelled(), Err(Stop::Closed));
+    }
+}
