@@ -1,7 +1,7 @@
 //! GB_2D_BT: plane beta-splines with bias and tension (chapter 2.3.7). All of it is the plane editor.
 
 use super::groups;
-use crate::editor::plane::{self, Tools};
+use crate::editor::curve::{self, Tools};
 use crate::file::Format;
 use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
@@ -11,7 +11,7 @@ const MANUAL: Manual = Manual {
         "Síkgörbék β-spline közelítéssel: eltolás, feszültség",
         "Plane beta-splines: bias and tension",
     ),
-    keys: Tools::Beta.keys(),
+    keys: curve::BETA_KEYS,
     lesson: &[],
 };
 
@@ -22,6 +22,6 @@ pub const PROGRAM: Program = Program {
     group: &groups::PLANE_CURVES,
     opens: &[Format::Ip2],
     demo: Demo { file: "B.IP2", script: "type gz\nkey E\nkey N", motion: None },
-    start: |document| plane::start(MANUAL, Tools::Beta, document),
+    start: |document| curve::plane(MANUAL, Tools::Beta, document),
     command_line: CommandLine::Usual,
 };

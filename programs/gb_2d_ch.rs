@@ -2,7 +2,7 @@
 //! editor.
 
 use super::groups;
-use crate::editor::plane::{self, Tools};
+use crate::editor::curve::{self, Tools};
 use crate::file::Format;
 use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
@@ -12,7 +12,7 @@ const MANUAL: Manual = Manual {
         "Coons-Hermite síkgörbék saját érintőkkel",
         "Plane Coons-Hermite curves with tangents of your own",
     ),
-    keys: Tools::Tangents.keys(),
+    keys: curve::TANGENT_KEYS,
     lesson: &[],
 };
 
@@ -23,6 +23,6 @@ pub const PROGRAM: Program = Program {
     group: &groups::PLANE_CURVES,
     opens: &[Format::Ic2, Format::Ec2],
     demo: Demo { file: "A.IC2", script: "key N\ntype gz\nkey N\nkey E\nkey N", motion: None },
-    start: |document| plane::start(MANUAL, Tools::Tangents, document),
+    start: |document| curve::plane(MANUAL, Tools::Tangents, document),
     command_line: CommandLine::Usual,
 };

@@ -2,7 +2,7 @@
 //! 2.3.8). All of it is the plane editor.
 
 use super::groups;
-use crate::editor::plane::{self, Tools};
+use crate::editor::curve::{self, Tools};
 use crate::file::Format;
 use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
@@ -12,7 +12,7 @@ const MANUAL: Manual = Manual {
         "Síkgörbék: Coons, Bézier, spline, B-spline",
         "Plane curves: Coons, Bézier, spline, B-spline",
     ),
-    keys: Tools::Methods.keys(),
+    keys: curve::METHOD_KEYS,
     lesson: &[],
 };
 
@@ -23,6 +23,6 @@ pub const PROGRAM: Program = Program {
     group: &groups::PLANE_CURVES,
     opens: &[Format::Ip2],
     demo: Demo { file: "A.IP2", script: "type gz3\nkey E\nkey N", motion: None },
-    start: |document| plane::start(MANUAL, Tools::Methods, document),
+    start: |document| curve::plane(MANUAL, Tools::Methods, document),
     command_line: CommandLine::Usual,
 };

@@ -1,7 +1,7 @@
 //! GB_3D_BT: beta-splines in space with bias and tension (chapter 2.3.7). All of it is the space editor.
 
 use super::groups;
-use crate::editor::space::{self, Tools};
+use crate::editor::curve::{self, Tools};
 use crate::file::Format;
 use crate::machine::Key;
 use crate::ui::{CommandLine, Demo, Manual, Program, Words};
@@ -12,7 +12,7 @@ const MANUAL: Manual = Manual {
         "Térbeli béta-spline eltolással és feszültséggel",
         "Beta-splines in space with bias and tension",
     ),
-    keys: space::BETA_KEYS,
+    keys: curve::SPACE_BETA_KEYS,
     lesson: &[],
 };
 
@@ -23,6 +23,6 @@ pub const PROGRAM: Program = Program {
     group: &groups::SPACE_CURVES,
     opens: &[Format::Ip3],
     demo: Demo { file: "B.IP3", script: "type gn\nkey E\nkey N", motion: Some(Key::Left) },
-    start: |document| space::start(MANUAL, Tools::Beta, document),
+    start: |document| curve::space(MANUAL, Tools::Beta, document),
     command_line: CommandLine::Usual,
 };

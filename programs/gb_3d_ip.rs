@@ -2,7 +2,7 @@
 //! 2.3.6). All of it is the space editor.
 
 use super::groups;
-use crate::editor::space::{self, Tools};
+use crate::editor::curve::{self, Tools};
 use crate::file::Format;
 use crate::machine::Key;
 use crate::ui::{CommandLine, Demo, Manual, Program, Words};
@@ -13,7 +13,7 @@ const MANUAL: Manual = Manual {
         "Térgörbék: Coons, Bézier, spline, B-spline",
         "Curves in space: Coons, Bézier, spline, B-spline",
     ),
-    keys: space::METHOD_KEYS,
+    keys: curve::SPACE_METHOD_KEYS,
     lesson: &[],
 };
 
@@ -24,6 +24,6 @@ pub const PROGRAM: Program = Program {
     group: &groups::SPACE_CURVES,
     opens: &[Format::Ip3],
     demo: Demo { file: "A.IP3", script: "type gn3\nkey E\nkey N", motion: Some(Key::Left) },
-    start: |document| space::start(MANUAL, Tools::Methods, document),
+    start: |document| curve::space(MANUAL, Tools::Methods, document),
     command_line: CommandLine::Usual,
 };

@@ -8,6 +8,7 @@
 //! stand on top of the library.
 
 pub mod cursor;
+pub mod design;
 #[cfg(feature = "native")]
 pub mod disk;
 pub mod display;

@@ -1,7 +1,7 @@
 //! How the user looks at space: the view and the scale, the ways to change them, and a control point that
 //! the mouse holds in the picture. Nothing of this is saved or undone: it is no part of the configuration.
 
-use super::field::{PICTURE, pixel};
+use super::field::pixel;
 use crate::geometry::{Point, Turn, View};
 use crate::machine::{Button, Event, Key, Tick};
 
@@ -130,59 +130,6 @@ impl Viewer {
                 look.is_some()
             }
             _ => false,
-        }
-    }
-}
-
-/// A control point under the mouse; `I` says which one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Held<I> {
-    pub(super) index: I,
-    /// Where the mouse took it up.
-    pressed: (i32, i32),
-    /// Where it was.
-    from: Point<3>,
-    /// Where it is held.
-    pub(super) at: Point<3>,
-}
-
-/// What becomes of a held point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Grip {
-    /// It is held on.
-    Holding,
-    /// It is dropped where it is.
-    Dropped,
-    /// It goes back.
-    LetGo,
-}
-
-impl<I> Held<I> {
-    pub(super) fn new(index: I, pressed: (i32, i32), at: Point<3>) -> Held<I> {
-        Held { index, pressed, from: at, at }
-    }
-
-    /// Whether the mouse has not moved it.
-    pub(super) fn unmoved(&self) -> bool {
-        self.at == self.from
-    }
-
-    /// Follows the mouse in the plane of the picture.
-    pub(super) fn follow(&mut self, tick: &Tick, look: Look) -> Grip {
-        match tick.event {
-            Some(Event::Move(..)) => {
-                let x = tick.mouse.x.clamp(PICTURE.x1, PICTURE.x2);
-                let y = tick.mouse.y.clamp(PICTURE.y1, PICTURE.y2);
-                let by = (x - self.pressed.0, y - self.pressed.1);
-                // A hand that only clicks does not move the point.
-                if by.0 * by.0 + by.1 * by.1 > 2 {
-                    self.at = look.dragged(self.from, by);
-                }
-                Grip::Holding
-            }
-            Some(Event::Release(Button::Left)) => Grip::Dropped,
-            Some(Event::Key(Key::Esc)) => Grip::LetGo,
-            _ => Grip::Holding,
         }
     }
 }

@@ -1,20 +1,302 @@
-//! The control-point editors that the programs share, what they have in common, and the history behind
-//! undo and redo.
+//! The editor of control points that the programs share: points are dragged, changed by number, undone, and seen
+//! with the curve or surface that follows them.
 //!
-//! A program of the book is one of these editors with its own methods and buttons; nothing here names
-//! a program.
+//! [`Editor`] is everything that is the same for curves of the plane, curves in space and surfaces: the work loop,
+//! dragging, the stages, picture and figure. What one of them has of its own is a [`Craft`]. Fourier curves are a
+//! table of coefficients and have an editor of their own.
 
 mod axes;
-mod beta;
-mod choice;
-pub mod drawing;
+pub mod curve;
 mod field;
 pub mod fourier;
 pub mod keys;
+mod lens;
 mod look;
 pub mod net;
+mod picture;
 mod place;
-pub mod plane;
-mod points;
-pub mod space;
+mod refusal;
+mod seen;
 mod stage;
+
+use crate::file::{Document, Format, Method};
+use crate::geometry::Point;
+use crate::machine::{Asked, Asking, Button, Event, Key, Tick};
+use crate::ui::words::Phrase;
+use crate::ui::{Commands, Desk, Manual, Start, Stay};
+use crate::work::{self, Configuration, History, Next, common_key, event};
+use lens::{Held, Lens};
+use seen::Item;
+use serde::Serialize;
+use stage::{Shown, Stage};
+
+/// What one kind of editor has of its own.
+trait Craft<const D: usize>: Sized + 'static {
+    /// What is edited, undone and saved: control points and recipe.
+    type Value: Clone + PartialEq + 'static;
+    /// What the mouse can take up.
+    type Handle: Copy + PartialEq + 'static;
+    /// How places are seen.
+    type Lens: Lens<D> + 'static;
+    /// What a command does.
+    type Action: Copy + 'static;
+
+    /// The format of its files.
+    fn format(&self) -> Format;
+    /// The commands.
+    fn commands(&self) -> Commands<Self::Action>;
+    /// How a new configuration is looked at.
+    fn lens(&self) -> Self::Lens;
+    /// A new configuration after another one, of which what the original kept survives.
+    fn fresh(&self, before: Option<&Self::Value>) -> Self::Value;
+    /// What a document says, after another configuration; and a remark about it.
+    fn of_document(
+        &self,
+        document: &Document,
+        before: &Self::Value,
+    ) -> Result<(Self::Value, Option<Phrase>), Phrase>;
+    /// The value as a document, with its whole recipe.
+    fn document(&self, value: &Self::Value) -> Document;
+    /// The method that the program draws by, where a value names none.
+    fn implied(&self) -> Option<Method>;
+    /// Whether files of the format have room for the value, its recipe aside.
+    fn fits_format(&self, _: &Self::Value) -> bool {
+        true
+    }
+    /// Whether the value names a curve or surface to be shown at once.
+    fn names_shape(&self, value: &Self::Value) -> bool;
+    /// The model as `dump` writes it.
+    fn model(editor: &Editor<Self, D>) -> impl Serialize + 'static;
+
+    /// The place of a handle.
+    fn place(value: &Self::Value, handle: Self::Handle) -> Option<Point<D>>;
+    /// The value with what is held dropped at a place.
+    fn moved(value: &Self::Value, handle: Self::Handle, at: Point<D>) -> Self::Value;
+    /// What lies on top at a pixel.
+    fn handle_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Self::Handle>;
+    /// What there is to be seen, the last on top.
+    fn seen(editor: &Editor<Self, D>) -> Vec<Item<D>>;
+
+    /// Forgets what belongs to the configuration before.
+    fn forget(editor: &mut Editor<Self, D>);
+    /// What happens before the editor waits for the user.
+    async fn before_event(_: &mut Editor<Self, D>, _: &mut Desk<'_>) -> Asked<()> {
+        Ok(())
+    }
+    /// Whether an event only changed how things look.
+    fn looked(_: &mut Editor<Self, D>, _: &mut Desk<'_>, _: &Tick) -> bool {
+        false
+    }
+    /// What a click means that is on no button and no handle.
+    fn clicked(_: &Editor<Self, D>, _: (i32, i32)) -> Option<Self::Action> {
+        None
+    }
+    /// Carries out a command.
+    async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Self::Action) -> Asked<Next>;
+    /// After undo and redo, and where a change makes what is shown outdated.
+    fn changed(editor: &mut Editor<Self, D>) {
+        editor.shown.after_change();
+    }
+    /// What is held has been dropped, and is at `moved` then.
+    async fn dropped(
+        editor: &mut Editor<Self, D>,
+        desk: &mut Desk<'_>,
+        held: Held<Self::Handle, D>,
+        moved: Self::Value,
+    ) -> Asked<()>;
+    /// Why there is no curve or surface.
+    fn problem(editor: &Editor<Self, D>) -> Option<Phrase>;
+    /// After a change of parameters that have a curve or surface.
+    fn reshaped(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>);
+
+    /// Whether the picture shows a result; else says why not.
+    async fn begin_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<bool>;
+    /// Back from the result.
+    async fn end_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<()>;
+
+    /// Whether what is seen stands instead of the ground.
+    fn covers_ground(_: &Editor<Self, D>) -> bool {
+        false
+    }
+    /// Draws its own things: in the picture, on the frame, and beside the page.
+    fn draw(editor: &Editor<Self, D>, layer: picture::Layer, page: &mut picture::Page<'_>);
+}
+
+/// The editor's whole state.
+struct Editor<C: Craft<D>, const D: usize> {
+    craft: C,
+    history: History<C::Value>,
+    lens: C::Lens,
+    held: Option<Held<C::Handle, D>>,
+    shown: Shown,
+    stage: Stage,
+    /// What reading a file had to say although it could be read.
+    remark: Option<Phrase>,
+}
+
+/// Makes an editor ready as a program, with a document that was named at the start or none.
+fn start<C: Craft<D>, const D: usize>(
+    craft: C,
+    manual: Manual,
+    document: Option<Document>,
+) -> Result<Start, Phrase> {
+    let editor = Editor::new(craft);
+    if let Some(document) = &document {
+        editor.craft.of_document(document, editor.history.now())?;
+    }
+    Ok(Box::new(move |machine| {
+        Box::pin(async move { work::run(editor, &mut Desk::new(machine, manual), document).await })
+    }))
+}
+
+impl<C: Craft<D>, const D: usize> Configuration for Editor<C, D> {
+    type Value = C::Value;
+
+    fn format(&self) -> Format {
+        self.craft.format()
+    }
+
+    fn history(&mut self) -> &mut History<C::Value> {
+        &mut self.history
+    }
+
+    fn reset(&mut self) {
+        self.stage = self.stage.restarted();
+        self.load(self.craft.fresh(Some(self.history.now())));
+    }
+
+    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
+        let (value, remark) = self.craft.of_document(document, self.history.now())?;
+        self.load(value);
+        self.remark = remark;
+        Ok(())
+    }
+
+    fn document(&self) -> Document {
+        self.craft.document(self.history.now())
+    }
+
+    fn implied(&self) -> Option<Method> {
+        self.craft.implied()
+    }
+
+    fn fits_format(&self) -> bool {
+        self.craft.fits_format(self.history.now())
+    }
+
+    fn model(&self) -> impl Serialize + 'static {
+        C::model(self)
+    }
+
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
+        self.held = None;
+        self.lens.stop();
+        if let Some(remark) = self.remark.take() {
+            desk.tell(remark, Stay::UntilRead);
+        }
+        loop {
+            self.stage = Stage::Working;
+            C::before_event(self, desk).await.unless_cancelled()?;
+            let tick = event(self, desk).await?;
+            if self.held.is_some() {
+                self.drag(desk, &tick).await.unless_cancelled()?;
+            } else if self.lens.look_around(&tick) || C::looked(self, desk, &tick) {
+                // Only the picture changes.
+            } else if common_key(self, desk, tick.key()).await? {
+                C::changed(self);
+            } else if let Some(action) = self.command(&tick) {
+                let next = C::obey(self, desk, action).await.unless_cancelled()?.unwrap_or(Next::Work);
+                if next != Next::Work {
+                    return Ok(next);
+                }
+            }
+        }
+    }
+}
+
+impl<C: Craft<D>, const D: usize> Editor<C, D> {
+    fn new(craft: C) -> Editor<C, D> {
+        let (lens, value) = (craft.lens(), craft.fresh(None));
+        let history = History::new(value);
+        Editor {
+            craft,
+            history,
+            lens,
+            held: None,
+            shown: Shown::default(),
+            stage: Stage::FIRST,
+            remark: None,
+        }
+    }
+
+    /// Takes up a value that needs no saving, and looks at it as at the start.
+    fn load(&mut self, value: C::Value) {
+        self.history = History::new(value);
+        self.lens = self.craft.lens();
+        self.held = None;
+        self.remark = None;
+        C::forget(self);
+        self.shown.take(self.craft.names_shape(self.history.now()));
+    }
+
+    /// The command of a key or of a click; a click on a handle takes it up.
+    fn command(&mut self, tick: &Tick) -> Option<C::Action> {
+        let given = self.craft.commands().find(tick);
+        let Some(at) = tick.click().filter(|_| given.is_none()) else { return given };
+        if let Some(handle) = C::handle_at(self, at) {
+            let from = C::place(self.history.now(), handle)?;
+            self.held = Some(Held { handle, pressed: at, from, at: from });
+            return None;
+        }
+        C::clicked(self, at)
+    }
+
+    /// Follows the mouse with what it holds, and drops it.
+    async fn drag(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<()> {
+        let Some(mut held) = self.held else { return Ok(()) };
+        match tick.event {
+            Some(Event::Move(..)) => {
+                held.at = self.lens.dragged(&held, (tick.mouse.x, tick.mouse.y)).unwrap_or(held.at);
+                self.held = Some(held);
+            }
+            Some(Event::Release(Button::Left)) => {
+                let moved = self.preview();
+                self.held = None;
+                return C::dropped(self, desk, held, moved).await;
+            }
+            Some(Event::Key(Key::Esc)) => self.held = None,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The value as it would be if what is held were dropped now.
+    fn preview(&self) -> C::Value {
+        let now = self.history.now();
+        self.held.map_or_else(|| now.clone(), |held| C::moved(now, held.handle, held.at))
+    }
+
+    /// Takes other parameters. Those that have no curve or surface are told about, and kept as the user gave them.
+    fn reshape(&mut self, desk: &mut Desk<'_>, value: C::Value) {
+        self.history.change(value);
+        match C::problem(self) {
+            Some(problem) => desk.tell(problem, Stay::UntilRead),
+            None => C::reshaped(self, desk),
+        }
+    }
+
+    /// Shows the curve or surface without its surroundings until Esc.
+    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+        if !C::begin_result(self, desk).await? {
+            return Ok(());
+        }
+        loop {
+            let tick = event(self, desk).await?;
+            if !self.lens.look_around(&tick) && !C::looked(self, desk, &tick) && tick.pressed(Key::Esc) {
+                break;
+            }
+        }
+        self.lens.stop();
+        C::end_result(self, desk).await
+    }
+}

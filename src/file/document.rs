@@ -2,6 +2,7 @@
 
 use super::{
     BeadWheel, CsangoCube, FileError, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints, Tangents,
+    settings,
 };
 
 /// What a data file holds.
@@ -116,6 +117,17 @@ impl Document {
             Self::Net(net) => net.describe(),
             Self::BeadWheel(wheel) => wheel.describe(),
             Self::CsangoCube(cube) => cube.describe(),
+        }
+    }
+
+    /// The names of the settings that it has: what JSON remembers, and no DOS file.
+    #[must_use]
+    pub fn settings(&self) -> Vec<String> {
+        match self {
+            Self::PlanePoints(points) => settings::given(&points.settings),
+            Self::SpacePoints(points) => settings::given(&points.settings),
+            Self::Net(net) => settings::given(&net.settings),
+            Self::Tangents(_) | Self::Fourier(_) | Self::BeadWheel(_) | Self::CsangoCube(_) => Vec::new(),
         }
     }
 

@@ -59,6 +59,12 @@ impl Method {
         })
     }
 
+    /// Its name on the command line and in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, method)| *method == self).map_or("", |(name, _)| name)
+    }
+
     /// The method of a name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {

@@ -24,6 +24,7 @@ pub use outlet::write_output;
 use crate::file::Format;
 use crate::machine::{Language, SAMPLES, Session};
 use crate::ui::{CommandLine, Program};
+use crate::work::with_json;
 use clap::{Args, Command, FromArgMatches};
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -92,10 +93,14 @@ impl Program {
         // Through the machine's own storage, which remembers what was read.
         let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
         machine.set_file(opened.as_ref().map(|opened| opened.file_name.clone()));
-        let (name, document) = opened.map(|opened| (opened.name, opened.document)).unzip();
+        let (name, document) = opened
+            .map(|opened| (opened.name, with_json(opened.document, machine.storage(), &opened.file_name)))
+            .unzip();
         let start = (self.start)(document).map_err(|problem| {
             let problem = problem.of(Language::English);
-            Failure::work(name.map_or(problem.to_owned(), |name| format!("{name}: {problem}")))
+            Failure::work(
+                name.map_or_else(|| problem.to_owned(), |name: String| format!("{name}: {problem}")),
+            )
         })?;
         let session = Session::start(machine, move |mut machine| async move { start(&mut machine).await });
         display::show(session, self.manual.name, &run_options)

@@ -2,9 +2,9 @@
 
 use super::Failure;
 use crate::disk::{Folder, LARGEST_FILE};
-use crate::editor::plane::with_twin;
 use crate::file::{Document, FileKind, Format};
 use crate::machine::Storage;
+use crate::work::with_twin;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 

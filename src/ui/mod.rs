@@ -5,6 +5,7 @@
 //! over it, so that the language can change and help can be read in the middle of a question.
 
 mod ask;
+mod command;
 mod desk;
 mod entry;
 mod frame;
@@ -19,6 +20,7 @@ mod stopwatch;
 pub mod words;
 
 pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, TOP, Way};
+pub use command::{Command, Commands};
 pub use desk::{Desk, KeyHelp, Manual, Over, Picture};
 pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};

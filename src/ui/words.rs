@@ -202,6 +202,17 @@ pub(crate) fn too_many_points(count: usize) -> Phrase {
     )
 }
 
+/// What a DOS format cannot hold, and which file can.
+pub(crate) fn not_held(format: Format, lost: &[String], json: &str) -> Phrase {
+    let lost = lost.join(", ");
+    Phrase::new(
+        format!("{format} nem tárolja: {lost}. {json} tárolná."),
+        format!("{format} cannot hold: {lost}. {json} would."),
+    )
+}
+/// Whether a JSON file shall be written too.
+pub(crate) const ASK_JSON: Words = Words("JSON is mellé?", "JSON beside it?");
+
 /// Whether a file that exists shall be overwritten.
 pub fn exists(name: &str) -> Phrase {
     Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
@@ -454,7 +465,6 @@ pub(crate) const SURFACE_FOLLOWS_NOT: Words =
 pub(crate) const BORDER_REACHED: Words = Words("A felület a peremig ér", "The surface ends at the border");
 pub(crate) const BORDER_DOUBLED: Words =
     Words("A felület a perem előtt ér véget", "It stops before the border");
-pub(crate) const NO_FILES: Words = Words("Ez a program nem nyit meg filet", "this program opens no files");
 pub(crate) const HELP_END: Words = Words("vége", "end");
 pub(crate) const COLLAPSED: Words = Words(
     "A háló egy vonalon fekszik: a felület vonallá zsugorodik",

@@ -1,9 +1,11 @@
 //! The life of a configuration, the same in every program that edits one: new or stored, worked on,
 //! saved, left. Nothing is lost without having been asked.
 
+use super::files::{Files, dos_files, json_name, read_document, with_json, with_twin};
 use super::{History, rescue};
-use crate::file::{Document, Format};
-use crate::machine::{Asked, Asking, Key, Stop, Storage, StorageProblem};
+use crate::design;
+use crate::file::{Document, FileKind, Format, Method};
+use crate::machine::{Asked, Asking, Key, Stop, Storage};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
 use serde::Serialize;
@@ -27,10 +29,14 @@ pub trait Configuration: Picture {
     /// The format of the stored configurations.
     fn format(&self) -> Format;
 
-    /// The extension of the file that the configuration is saved in: the format's, unless that cannot hold
-    /// it.
-    fn extension(&self) -> &'static str {
-        self.format().extension()
+    /// The method that the program draws by where a document names none: its files need not say it.
+    fn implied(&self) -> Option<Method> {
+        None
+    }
+
+    /// Whether files of the format have room for the configuration, its recipe aside; else it is saved as JSON.
+    fn fits_format(&self) -> bool {
+        true
     }
 
     /// The edited value with its past.
@@ -82,34 +88,24 @@ pub trait Configuration: Picture {
         self.open(&Document::from_json(work).map_err(|error| words::plain(&error))?)
     }
 
-    /// Reads a stored configuration.
+    /// Reads a stored configuration, with what lies beside its file.
     ///
     /// # Errors
     /// What is wrong with the file.
     fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-        self.open(&read_document(storage, name, self.format())?)
+        let document = with_twin(read_document(storage, name, self.format())?, storage, name);
+        self.open(&with_json(document, storage, name))
     }
 
-    /// The files that a configuration is stored in, for the name of the first one.
+    /// The configuration as a JSON file, which names the method too.
     ///
     /// # Errors
-    /// What the format cannot hold.
-    fn files(&self, name: &str) -> Result<Vec<(String, Vec<u8>)>, Phrase> {
-        let content = self.document().write(self.format()).map_err(|error| words::in_file(name, &error))?;
-        Ok(vec![(name.to_string(), content)])
+    /// What JSON cannot hold.
+    fn json(&self, name: &str) -> Result<(String, Vec<u8>), Phrase> {
+        let document = design::naming(self.document(), self.implied());
+        let content = document.encode(FileKind::Json).map_err(|error| words::in_file(name, &error))?;
+        Ok((name.to_owned(), content))
     }
-}
-
-/// Reads a document of a format; a file that is not there is told in the original's words.
-///
-/// # Errors
-/// What is wrong with the file.
-pub fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Result<Document, Phrase> {
-    let content = storage.read(name).map_err(|error| match error.problem {
-        StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
-        _ => words::storage_problem(&error),
-    })?;
-    Document::read(format, &content).map_err(|error| words::in_file(name, &error))
 }
 
 /// Runs a program that edits configurations, with a document that was named at the start or none. Work that
@@ -260,8 +256,9 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()
 
 /// Asks for a name and saves; whether it was done.
 async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<bool> {
-    let name = desk.file_name(&*state, state.extension(), Way::Save).await?;
-    let stored = match state.files(&name) {
+    let extension = if state.fits_format() { state.format().extension() } else { "JSON" };
+    let name = desk.file_name(&*state, extension, Way::Save).await?;
+    let stored = match files(state, desk, &name).await? {
         Ok(files) => {
             let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
             if !desk.may_write(&*state, &names).await? {
@@ -285,7 +282,33 @@ async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<boo
     }
 }
 
-fn store(files: &[(String, Vec<u8>)], storage: &mut dyn Storage) -> Result<(), Phrase> {
+/// The files that a configuration is stored in under a name. What its format cannot hold is said, and a JSON file
+/// beside it offered; one that the program knows from reading or writing it goes on being written.
+async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> Asked<Result<Files, Phrase>> {
+    if !state.fits_format() {
+        return Ok(state.json(name).map(|file| vec![file]));
+    }
+    let (document, format, json) = (state.document(), state.format(), json_name(name));
+    let files = dos_files(&document, format, name);
+    let lost = design::lost(&document, format, state.implied());
+    let known = desk.machine.files().knows(&json);
+    if files.is_err() || (lost.is_empty() && !known) {
+        return Ok(files);
+    }
+    let wanted = match known {
+        true => true,
+        false => {
+            let facts = words::not_held(format, &lost, &json);
+            desk.ask_about(state, &facts, words::ASK_JSON).await? == Answer::First
+        }
+    };
+    Ok(files.and_then(|mut files| {
+        files.extend(wanted.then(|| state.json(&json)).transpose()?);
+        Ok(files)
+    }))
+}
+
+fn store(files: &Files, storage: &mut dyn Storage) -> Result<(), Phrase> {
     for (name, content) in files {
         storage.write(name, content).map_err(|error| words::storage_problem(&error))?;
     }

@@ -1,9 +1,11 @@
 //! The life of what a program works on, the same for editors, puzzles and billiards: new or stored, worked
 //! on, undone, saved, left, and rescued when a session breaks off.
 
+mod files;
 mod history;
 mod life;
 pub mod rescue;
 
+pub use files::{read_document, with_json, with_twin};
 pub use history::History;
-pub use life::{Configuration, Next, common_key, event, keep, quit, read_document, run};
+pub use life::{Configuration, Next, common_key, event, keep, quit, run};

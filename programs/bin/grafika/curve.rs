@@ -1,13 +1,11 @@
-//! The curve that `sample` and `render` are asked for: a file with a method and its parameters. A file with a
-//! net gives a [`Surfaced`].
+//! The curve or surface that `sample` and `render` are asked for: a file with a method and its parameters.
 
 use crate::source::Source;
-use crate::surface::{Common, SurfaceArgs, Surfaced};
+use crate::surface::{Common, SurfaceArgs};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use grafika::editor::fourier;
-use grafika::file::{CurveSettings, Document, Method as MethodName, PlanePoints};
-use grafika::geometry::{Closure, Curve, Fourier, GeometryError, Method, Point, VaryingBeta, hermite_arcs};
+use grafika::design::{Design, DesignError, Shape};
+use grafika::file::{CurveSettings, Document, Method};
 use grafika::launch::{Failure, Opened};
 
 /// A file with a method and its parameters.
@@ -34,118 +32,79 @@ pub(crate) struct CurveArgs {
     surface: SurfaceArgs,
 }
 
-/// A curve or a surface with what it is made of.
-pub(crate) enum Curved {
-    /// By control points of the plane.
-    Plane(Vec<Point<2>>, Curve<2>),
-    /// By control points of the plane, a beta-spline whose joints differ in shape.
-    Varying(Vec<Point<2>>, VaryingBeta<2>),
-    /// By control points in space.
-    Space(Vec<Point<3>>, Curve<3>),
-    /// By Fourier coefficients, in one span.
-    Fourier(Fourier<2>),
-    /// By a control net: a surface.
-    Surface(Box<Surfaced>),
-}
-
 impl CurveArgs {
-    /// Opens the file and makes the curve or surface that it describes.
-    pub(crate) fn curve(&self) -> Result<Curved, Failure> {
-        let opened = self.source.open()?;
-        let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
-        let is_net = matches!(opened.document, Document::Net(_));
+    /// Opens the file; its design, with what the command line says about it, and its name.
+    pub(crate) fn design(&self) -> Result<(Design, String), Failure> {
+        let Opened { name, document, .. } = self.source.open()?;
+        let is_net = matches!(document, Document::Net(_));
         if let Some(option) = self.surface.given().filter(|_| !is_net) {
-            return Err(Failure::usage(format!("{option} is for surfaces; {} holds none", opened.name)));
+            return Err(Failure::usage(format!("{option} is for surfaces; {name} holds none")));
         }
-        match &opened.document {
-            Document::Net(net) if self.closed => Err(Failure::usage(format!(
-                "--closed is for curves; what a surface is joined by, its extension says, here .{}",
-                net.kind.format().extension()
-            ))),
-            Document::Net(net) => {
+        let design = Design::of_document(document).map_err(|error| failure(&name, &error))?;
+        let design = match design {
+            Design::Net(net) if self.closed => {
+                return Err(Failure::usage(format!(
+                    "--closed is for curves; what a surface is joined by, its extension says, here .{}",
+                    net.net.kind.format().extension()
+                )));
+            }
+            Design::Net(net) => {
                 let (k0, bias, tension) = (self.k0, self.bias, self.tension);
                 let common = Common { method: self.named(), k0, bias, tension };
-                let surface = self.surface.surface(&opened.name, net, common)?;
-                Ok(Curved::Surface(Box::new(surface)))
+                Design::Net(self.surface.net(net, common)?)
             }
-            Document::Fourier(coefficients) => {
-                self.refuse_other_than(MethodName::Fourier, &opened)?;
-                fourier::curve(coefficients).map(Curved::Fourier).map_err(failure)
+            Design::Fourier(coefficients) => {
+                if self.named().is_some_and(|other| other != Method::Fourier) {
+                    return Err(Failure::usage(format!(
+                        "{name}: coefficients of a Fourier curve have no other method than fourier"
+                    )));
+                }
+                Design::Fourier(coefficients)
             }
-            Document::PlanePoints(plane) => {
-                let curve = self.plane(plane)?;
-                curve.map_err(failure)
+            Design::Plane(mut sketch) => {
+                self.apply(&mut sketch.settings);
+                Design::Plane(sketch)
             }
-            Document::SpacePoints(space) => {
-                let (method, closure) = self.choice(&space.settings)?;
-                let curve = Curve::through(method, closure, &space.points).map_err(failure)?;
-                Ok(Curved::Space(space.points.clone(), curve))
+            Design::Space(mut sketch) => {
+                self.apply(&mut sketch.settings);
+                Design::Space(sketch)
             }
-            _ => Err(Failure::work(format!(
-                "{}: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP and the nets .FHC to .ZYP do",
-                opened.name
-            ))),
-        }
-    }
-
-    fn named(&self) -> Option<MethodName> {
-        self.method.as_deref().and_then(MethodName::from_name)
-    }
-
-    fn refuse_other_than(&self, only: MethodName, opened: &Opened) -> Result<(), Failure> {
-        match self.named() {
-            Some(other) if other != only => Err(Failure::usage(format!(
-                "{}: coefficients of a Fourier curve have no other method than fourier",
-                opened.name
-            ))),
-            _ => Ok(()),
-        }
-    }
-
-    /// The curve by points of the plane; where the file has tangents or shapes of joints, by these.
-    fn plane(&self, plane: &PlanePoints) -> Result<Result<Curved, GeometryError>, Failure> {
-        let points = plane.points.clone();
-        let named = self.named().or(plane.settings.method);
-        match (&plane.tangents, &plane.joints) {
-            (Some(tangents), _) if named.is_none_or(|name| name == MethodName::Hermite) => {
-                let arcs = hermite_arcs(self.closure(&plane.settings), &points, tangents);
-                Ok(arcs.map(|arcs| Curved::Plane(points, Curve::Piecewise(arcs))))
-            }
-            (_, Some(joints)) if named.is_none_or(|name| name == MethodName::Beta) => {
-                let curve = VaryingBeta::new(self.closure(&plane.settings), &points, joints);
-                Ok(curve.map(|curve| Curved::Varying(points, curve)))
-            }
-            _ => {
-                let (method, closure) = self.choice(&plane.settings)?;
-                Ok(Curve::through(method, closure, &points).map(|curve| Curved::Plane(points, curve)))
-            }
-        }
-    }
-
-    fn closure(&self, settings: &CurveSettings) -> Closure {
-        let closed = self.closed || settings.closed.unwrap_or(false);
-        if closed { Closure::Closed } else { Closure::Open }
-    }
-
-    /// The method and form, from the command line or else from the file.
-    fn choice(&self, settings: &CurveSettings) -> Result<(Method, Closure), Failure> {
-        let k0 = self.k0.or(settings.k0).unwrap_or(0.5);
-        let bias = self.bias.or(settings.bias).unwrap_or(1.0);
-        let tension = self.tension.or(settings.tension).unwrap_or(0.0);
-        let Some(name) = self.named().or(settings.method) else {
-            return Err(Failure::usage("which method? Give --method, as in --method spline"));
         };
-        let method = name.with(k0, bias, tension).ok_or_else(|| {
-            Failure::usage(match name {
-                MethodName::Fourier => "fourier needs coefficients, as a .GBP file has them",
-                _ => "hermite needs tangents, as an .IC2 file with its .EC2 has them",
-            })
-        })?;
-        Ok((method, self.closure(settings)))
+        Ok((design, name))
+    }
+
+    /// Opens the file and makes the curve or surface that it describes.
+    pub(crate) fn shape(&self) -> Result<(Design, Shape), Failure> {
+        let (design, name) = self.design()?;
+        let shape = design.shape().map_err(|error| failure(&name, &error))?;
+        Ok((design, shape))
+    }
+
+    fn named(&self) -> Option<Method> {
+        self.method.as_deref().and_then(Method::from_name)
+    }
+
+    /// Puts what the command line says over what the file says.
+    fn apply(&self, settings: &mut CurveSettings) {
+        settings.method = self.named().or(settings.method);
+        settings.closed = if self.closed { Some(true) } else { settings.closed };
+        settings.k0 = self.k0.or(settings.k0);
+        settings.bias = self.bias.or(settings.bias);
+        settings.tension = self.tension.or(settings.tension);
+    }
+}
+
+/// Why a file describes no curve or surface: what the command line can mend is a matter of usage.
+pub(crate) fn failure(name: &str, error: &DesignError) -> Failure {
+    match error {
+        DesignError::Geometry(_) | DesignError::NoMatrix | DesignError::NoShape => {
+            Failure::work(format!("{name}: {error}"))
+        }
+        _ => Failure::usage(error),
     }
 }
 
 /// The names of the methods.
 fn method_names() -> PossibleValuesParser {
-    PossibleValuesParser::new(MethodName::ALL.map(|(name, _)| name))
+    PossibleValuesParser::new(Method::ALL.map(|(name, _)| name))
 }

@@ -1,15 +1,15 @@
 //! `grafika render`: a picture of a curve or a surface as PNG, SVG or PDF, or a surface as a model.
 
-use crate::curve::{CurveArgs, Curved};
+use crate::curve::CurveArgs;
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::surface::Surfaced;
 use clap::Args;
+use grafika::design::{Design, NetDesign, Shape, Sketch};
 use grafika::figure::{
     Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, Mesh, NOMINAL_WIDTH, SMALLEST_WIDTH, closure,
     surface_step, tolerance,
 };
 use grafika::file::SPACE_VIEW;
-use grafika::geometry::{BoundingBox, Closure, CubicBezier, ParamCurve, Point, View};
+use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, Surface, View};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
@@ -59,17 +59,17 @@ impl Render {
     /// Draws and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
-        let curved = self.curve.curve()?;
+        let (design, shape) = self.curve.shape()?;
         let alive = progress::alive("drawing");
-        let content = self.content(curved, format)?;
+        let content = self.content(design, &shape, format)?;
         drop(alive);
         write_output(Some(&self.output), &content)
     }
 
     /// What is written.
-    fn content(&self, curved: Curved, format: Format) -> Result<Vec<u8>, Failure> {
-        if let Curved::Surface(surfaced) = &curved {
-            return self.surface(surfaced, format);
+    fn content(&self, design: Design, shape: &Shape, format: Format) -> Result<Vec<u8>, Failure> {
+        if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
+            return self.surface(net, surface, format);
         }
         if format.is_model() {
             let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
@@ -78,25 +78,13 @@ impl Render {
         if self.per_span.is_some() {
             return Err(Failure::usage("--per-span is for surfaces; curves are drawn exactly"));
         }
-        if self.view.is_some() && !matches!(curved, Curved::Space(..)) {
+        if self.view.is_some() && !matches!(shape, Shape::Space(_)) {
             return Err(Failure::usage(
                 "--view is for space curves and surfaces; this file holds a curve of the plane",
             ));
         }
-        let figure = match curved {
-            Curved::Plane(points, curve) => {
-                let tolerance = tolerance(curve.bounding_box());
-                self.figure(&points, curve.to_cubics(tolerance).map_err(Failure::work)?)
-            }
-            Curved::Varying(points, curve) => {
-                let tolerance = tolerance(BoundingBox::of_points(&points));
-                self.figure(&points, curve.to_cubics(tolerance).map_err(Failure::work)?)
-            }
-            Curved::Fourier(curve) => {
-                let tolerance = tolerance(curve.bounding_box());
-                self.figure(&[], curve.to_cubics(tolerance).map_err(Failure::work)?)
-            }
-            Curved::Space(points, curve) => {
+        let figure = match (design, shape) {
+            (Design::Space(Sketch { points, .. }), Shape::Space(curve)) => {
                 let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
                 let bounds = [BoundingBox::of_points(&points), curve.bounding_box()];
                 let places: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
@@ -107,7 +95,13 @@ impl Render {
                 self.measure(&mut figure, view, bounds);
                 figure
             }
-            Curved::Surface(surfaced) => return self.surface(&surfaced, format),
+            (design, Shape::Plane(curve)) => {
+                let points = if let Design::Plane(sketch) = design { sketch.points } else { Vec::new() };
+                let arcs = curve.to_cubics(tolerance(curve.bounding_box())).map_err(Failure::work)?;
+                self.figure(&points, arcs)
+            }
+            // A design has a shape of its own kind.
+            _ => self.titled(),
         };
         self.picture(&figure, format)
     }
@@ -122,10 +116,10 @@ impl Render {
     }
 
     /// A surface in any format.
-    fn surface(&self, surfaced: &Surfaced, format: Format) -> Result<Vec<u8>, Failure> {
+    fn surface(&self, net: &NetDesign, surface: &Surface, format: Format) -> Result<Vec<u8>, Failure> {
         let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
         if !format.is_model() {
-            return self.picture(&self.wireframe(surfaced, steps)?, format);
+            return self.picture(&self.wireframe(net, surface, steps)?, format);
         }
         let unused = [
             ("--view", self.view.is_some()),
@@ -137,7 +131,7 @@ impl Render {
         if let Some((option, _)) = unused.into_iter().find(|(_, given)| *given) {
             return Err(Failure::usage(format!("{option} is for pictures; models have no such thing")));
         }
-        let surface = surfaced.solid().map_err(Failure::work)?;
+        let surface = net.solid().map_err(Failure::work)?;
         if matches!(format, Format::Step) {
             let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
             return surface_step(&surface, &name.unwrap_or_default())
@@ -154,19 +148,19 @@ impl Render {
     }
 
     /// The visible lines of a surface, with its net over them.
-    fn wireframe(&self, surfaced: &Surfaced, steps: usize) -> Result<Figure, Failure> {
-        let view = View::from_direction(self.view.unwrap_or(surfaced.net.kind.view()));
-        let grid = surfaced.surface.grid(steps).map_err(Failure::work)?;
+    fn wireframe(&self, net: &NetDesign, surface: &Surface, steps: usize) -> Result<Figure, Failure> {
+        let view = View::from_direction(self.view.unwrap_or(net.net.kind.view()));
+        let grid = surface.grid(steps).map_err(Failure::work)?;
         let mut figure = self.titled();
         figure.plot_surface(&grid, &view, Hidden::LeftOut);
         if self.polygon {
-            for (line, closed) in surfaced.polygons() {
+            for (line, closed) in net.polygons() {
                 let line = line.iter().map(|&point| view.place(point)).collect();
                 figure.plot_polygon(line, if closed { Closure::Closed } else { Closure::Open });
             }
         }
         if self.points {
-            for ([k, l], point) in surfaced.discs() {
+            for ([k, l], point) in net.discs() {
                 figure.plot_point(view.place(point), Some(format!("{k},{l}")));
             }
         }

@@ -1,10 +1,11 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
-use crate::curve::{CurveArgs, Curved};
+use crate::curve::CurveArgs;
 use crate::source::is_stream;
 use clap::Args;
+use grafika::design::Shape;
 use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
-use grafika::geometry::{GeometryError, ParamCurve, Sample as Place, SurfaceSample};
+use grafika::geometry::{GeometryError, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
@@ -35,16 +36,14 @@ impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let steps = self.per_span.unwrap_or(50) as usize;
-        let curved = self.curve.curve()?;
+        let (_, shape) = self.curve.shape()?;
         let alive = progress::alive("sampling");
-        let text = match curved {
-            Curved::Plane(_, curve) => self.text(curve.sample(steps)),
-            Curved::Varying(_, curve) => self.text(curve.sample(steps)),
-            Curved::Space(_, curve) => self.text(curve.sample(steps)),
-            Curved::Fourier(curve) => self.text(curve.sample(steps)),
-            Curved::Surface(surfaced) => {
+        let text = match shape {
+            Shape::Plane(curve) => self.text(curve.sample(steps)),
+            Shape::Space(curve) => self.text(curve.sample(steps)),
+            Shape::Surface(surface) => {
                 let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-                let samples: Vec<SurfaceSample> = surfaced.surface.sample(steps).map_err(Failure::work)?;
+                let samples: Vec<SurfaceSample> = surface.sample(steps).map_err(Failure::work)?;
                 self.table(samples.into_iter(), surface_csv, surface_json)
             }
         }?;

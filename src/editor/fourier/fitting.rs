@@ -1,7 +1,7 @@
 //! Fitting the coefficients to the control points of a stored plane curve.
 
-use super::coefficient::{coefficients, curve};
 use super::{Editor, layout};
+use crate::design::fourier::{coefficients, curve};
 use crate::file::{Document, Format, Fourier, HARMONICS, PlanePoints};
 use crate::geometry::{self, BoundingBox, ClosedPath, CubicBezier, Deviation, GeometryError, Point};
 use crate::machine::Asked;

@@ -1,6 +1,6 @@
 //! Where everything stands on the screen of the Fourier editor.
 
-use super::coefficient::{Coefficient, Column, Quantity};
+use crate::design::fourier::{Coefficient, Column, Quantity};
 use crate::geometry::Point;
 use crate::screen::{Color, Put, Screen};
 use crate::ui::{Area, raised, sunken, window};

@@ -3,14 +3,14 @@
 //! of a coefficient is seen at once; the coefficients can be fitted to the control points of a stored
 //! plane curve.
 
-mod coefficient;
 mod fitting;
 mod layout;
 mod picture;
 
-pub use coefficient::{coefficients, curve};
+pub use crate::design::fourier::{coefficients, curve};
 
 use super::keys::{SAVE, UNDO};
+use crate::design::fourier::{Coefficient, Column};
 use crate::file::{Document, Format, Fourier};
 use crate::machine::{Asked, Asking, Event, Key, Machine, Stop, Tick};
 use crate::screen::{Color, Screen};
@@ -19,7 +19,6 @@ use crate::ui::{
     Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Over, Start, Stay, TOP, Typed, Words, page, window,
 };
 use crate::work::{self, Configuration, History, Next, common_key, event, quit};
-use coefficient::{Coefficient, Column};
 use fitting::Target;
 use picture::COMMANDS;
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! The picture of the Fourier editor: the model as pixels, changing nothing.
 
-use super::coefficient::{Coefficient, Column, curve};
 use super::{Editor, Stage, layout};
+use crate::design::fourier::{Coefficient, Column, curve};
 use crate::figure::{CURVE_INK, Figure};
 use crate::file::Fourier;
 use crate::geometry::ParamCurve;

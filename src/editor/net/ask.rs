@@ -1,10 +1,12 @@
 //! What the surface editor asks: a control point by its two digits, a part of a Hermite patch, a direction,
 //! an axis, how the surface is drawn.
 
-use super::Editor;
-use super::model::{Index, Part};
-use super::plan::Degree;
+use super::Nets;
 use super::surface::Display;
+use crate::design::{Index, Part};
+use crate::editor::Editor;
+use crate::editor::curve::ask::ask_degree;
+use crate::file::Method;
 use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Words};
@@ -27,10 +29,10 @@ impl Part {
     }
 }
 
-impl Editor {
+impl Editor<Nets, 3> {
     /// Asks for a control point: its two numbers, which are digits where the net is small.
     pub(super) async fn ask_index(&self, desk: &mut Desk<'_>) -> Asked<Index> {
-        let counts = self.history.now().choices(&self.plan);
+        let counts = self.history.now().choices();
         if counts.iter().any(|&count| count > 10) {
             return self.ask_large_index(desk, counts).await;
         }
@@ -115,13 +117,9 @@ impl Editor {
 
     /// Asks for the degree and how the surface is drawn. The first page stays on the
     /// screen under the second one.
-    pub(super) async fn ask_degree_and_display(&self, desk: &mut Desk<'_>) -> Asked<(Degree, Display)> {
-        let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
-        let degree = match desk.ask(self, &question).await? {
-            Answer::First => Degree::Two,
-            Answer::Second => Degree::Three,
-        };
-        let page = question.choices();
+    pub(super) async fn ask_degree_and_display(&self, desk: &mut Desk<'_>) -> Asked<(Method, Display)> {
+        let degree = ask_degree(desk, self).await?;
+        let page = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]).choices();
         let under = |screen: &mut Screen, language: Language| {
             self.draw(screen, language);
             page.draw(screen, language);

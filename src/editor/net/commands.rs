@@ -1,236 +1,179 @@
 //! The commands of the surface editor.
 
+use super::Nets;
 use super::ask::ask_display;
-use super::model::{Index, Model, Part};
-use super::plan::{Family, Form};
-use super::surface::Display;
-use super::{Editor, Stage};
-use crate::editor::beta::{BIAS, TENSION};
-use crate::editor::choice::ask_real;
+use super::plan::Family;
+use super::tables::Action;
+use crate::design::{DesignError, Index, NetDesign, Part};
+use crate::editor::curve::ask::ask_real;
+use crate::editor::curve::beta::{BIAS, TENSION};
 use crate::editor::place::{ask_height, ask_place};
-use crate::geometry::{Border, RefineDirection, refine};
-use crate::machine::{Asked, Asking, Key, Stop};
+use crate::editor::{Craft, Editor, refusal};
+use crate::file::{Method, Net, NetSettings};
+use crate::geometry::{RefineDirection, refine};
+use crate::machine::Asked;
 use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Desk, Stay};
-use crate::work::{Next, event, quit};
+use crate::work::{Next, quit};
 use std::ops::RangeInclusive;
+use std::rc::Rc;
 
 /// What the coefficient of the tangents may be.
 const K0: RangeInclusive<f64> = 0.0..=1.0;
+/// Where the captions of the parameters stand.
+const ENTRY: (i32, i32) = (232, 26);
 
-impl Editor {
-    /// Carries out the command of a letter; other letters do nothing.
-    pub(super) async fn obey(&mut self, desk: &mut Desk<'_>, letter: char) -> Asked<Next> {
-        match (letter, self.plan.family) {
-            ('V', _) => self.change(desk, None).await?,
-            ('F', _) => self.show_surface(desk).await?,
-            ('E', _) => self.show_result(desk).await?,
-            ('A', Family::Beta) => {
-                let entry = (words::BIAS_ENTRY, (232, 26));
-                self.reshape(desk, entry, BIAS, |form| &mut form.bias).await?;
+impl Editor<Nets, 3> {
+    /// Carries out a command.
+    pub(super) async fn carry_out(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
+        match action {
+            Action::Change => self.change(desk, None).await?,
+            Action::ChangeAt(index) => self.change(desk, Some(index)).await?,
+            Action::Surface => self.show_surface(desk).await?,
+            Action::Result => self.show_result(desk).await?,
+            Action::Bias => {
+                let set = |settings: &mut NetSettings, bias| settings.bias = Some(bias);
+                self.ask_parameter(desk, words::BIAS_ENTRY, BIAS, NetDesign::bias, set).await?;
             }
-            ('C', Family::Beta) => {
-                let entry = (words::TENSION_ENTRY, (232, 26));
-                self.reshape(desk, entry, TENSION, |form| &mut form.tension).await?;
+            Action::Tension => {
+                let set = |settings: &mut NetSettings, tension| settings.tension = Some(tension);
+                self.ask_parameter(desk, words::TENSION_ENTRY, TENSION, NetDesign::tension, set).await?;
             }
-            ('C', Family::Local) => {
-                let entry = (words::COEFFICIENT_ENTRY, (232, 26));
-                self.reshape(desk, entry, K0, |form| &mut form.k0).await?;
+            Action::K0 => {
+                let set = |settings: &mut NetSettings, k0| settings.k0 = Some(k0);
+                self.ask_parameter(desk, words::COEFFICIENT_ENTRY, K0, NetDesign::k0, set).await?;
             }
-            ('Q', _) => {
-                let next = quit(self, desk).await?;
-                self.drawn = None;
-                self.shown &= self.follow;
-                return Ok(next);
+            Action::Follow => {
+                self.shown.follow = !self.shown.follow;
+                self.craft.drawn = None;
+                self.shown.known |= self.shown.follow;
+                let follows = self.shown.follow;
+                let said = if follows { words::SURFACE_FOLLOWS } else { words::SURFACE_FOLLOWS_NOT };
+                desk.tell(said, Stay::Briefly);
             }
-            _ => {}
-        }
-        Ok(Next::Work)
-    }
-
-    /// Carries out the command of a key beyond the original's; other keys do nothing.
-    pub(super) async fn obey_key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Next> {
-        match (key, self.plan.family) {
-            (Key::F(3), _) => {
-                self.follow = !self.follow;
-                self.drawn = None;
-                self.shown |= self.follow;
-                let said = if self.follow { words::SURFACE_FOLLOWS } else { words::SURFACE_FOLLOWS_NOT };
-                self.say(desk, said);
+            Action::Border => {
+                let reached = self.history.now().net.settings.extended != Some(true);
+                let design = self.history.now().with_settings(|it| it.extended = reached.then_some(true));
+                self.change_surface(desk, design);
+                let said = if reached { words::BORDER_REACHED } else { words::BORDER_DOUBLED };
+                desk.tell(said, Stay::Briefly);
             }
-            (Key::F(4), Family::BSpline) => {
-                let border = match self.history.now().border {
-                    Border::Doubled => Border::Reached,
-                    Border::Reached => Border::Doubled,
-                };
-                self.change_surface(desk, Model { border, ..self.history.now().clone() });
-                let reached = border == Border::Reached;
-                self.say(desk, if reached { words::BORDER_REACHED } else { words::BORDER_DOUBLED });
-            }
-            (Key::F(7), family) if family != Family::Heights => {
-                let axis = self.ask_axis(desk).await?;
+            Action::Mirror => {
+                let heights = self.craft.plan.family == Family::Heights;
+                let axis = if heights { 2 } else { self.ask_axis(desk).await? };
                 self.change_surface(desk, self.history.now().mirrored(axis));
             }
-            (Key::F(7), _) => self.change_surface(desk, self.history.now().mirrored(2)),
-            (Key::F(8), Family::BSpline | Family::Bezier | Family::Spline | Family::Heights) => {
+            Action::Refine => {
                 let direction = self.ask_direction(desk).await?;
                 match self.refined(direction) {
-                    Ok(model) => self.change_surface(desk, model),
+                    Ok(design) => self.change_surface(desk, design),
                     Err(problem) => desk.tell(problem, Stay::UntilRead),
                 }
             }
-            _ => {}
+            Action::Quit => {
+                let next = quit(self, desk).await?;
+                self.craft.drawn = None;
+                self.shown.known &= self.shown.follow;
+                return Ok(next);
+            }
         }
         Ok(Next::Work)
     }
 
-    /// Takes another model; a surface that is in the picture stays there and follows.
-    fn change_surface(&mut self, desk: &mut Desk<'_>, model: Model) {
-        self.history.change(model);
-        if self.drawn.is_some() {
+    /// Takes another net; a surface that is in the picture stays there and follows.
+    fn change_surface(&mut self, desk: &mut Desk<'_>, design: NetDesign) {
+        self.history.change(design);
+        if self.craft.drawn.is_some() {
             self.refresh(desk);
         }
     }
 
-    fn refined(&self, direction: usize) -> Result<Model, Phrase> {
+    /// The net refined along u (0) or v (1), if there is room for it.
+    fn refined(&self, direction: usize) -> Result<NetDesign, Phrase> {
         let now = self.history.now();
-        let Some(scheme) = self.plan.scheme(&now.form, self.degree, now.border) else {
-            return Ok(now.clone());
-        };
+        let why = |error: DesignError| refusal::of_surface(&error);
+        let Some(scheme) = now.scheme().map_err(why)? else { return Ok(now.clone()) };
         let direction = if direction == 0 { RefineDirection::U } else { RefineDirection::V };
-        let net = refine(scheme, &now.net, direction).map_err(|error| words::plain(&error))?;
-        let model = Model { net, ..now.clone() };
-        // The file is checked as if it were read: there is a largest size.
-        Model::of_file(&self.plan, &model.to_file(&self.plan, self.degree, false), model.form)
-            .map(|checked| Model { border: model.border, ..checked })
+        let points = refine(scheme, &now.net.points, direction).map_err(|error| words::plain(&error))?;
+        NetDesign { net: Net { points, ..now.net.clone() }, ..now.clone() }.fitting().map_err(why)
     }
 
     /// Takes the surface of the net as it is now into the picture; says why if there is none.
-    fn refresh(&mut self, desk: &mut Desk<'_>) -> bool {
-        match self.draw_up(self.history.now()) {
-            Ok(drawn) => {
-                if drawn.collapsed() {
-                    self.say(desk, words::COLLAPSED);
-                }
-                self.drawn = Some(drawn);
-                self.shown = true;
-                true
-            }
-            Err(problem) => {
-                self.drawn = None;
-                self.shown = false;
-                desk.tell(problem, Stay::UntilRead);
-                false
-            }
+    pub(super) fn refresh(&mut self, desk: &mut Desk<'_>) -> bool {
+        let drawn = self.craft.draw_up(self.history.now());
+        self.shown.known = drawn.is_ok();
+        match &drawn {
+            Ok(drawn) if drawn.collapsed() => desk.tell(words::COLLAPSED, Stay::Briefly),
+            Ok(_) => {}
+            Err(error) => desk.tell(refusal::of_surface(error), Stay::UntilRead),
         }
+        self.craft.drawn = drawn.ok().map(Rc::new);
+        self.shown.known
     }
 
     /// The command V: another place for a control point, chosen by number or already.
     pub(super) async fn change(&mut self, desk: &mut Desk<'_>, index: Option<Index>) -> Asked<()> {
-        self.changed();
+        Nets::changed(self);
         let index = match index {
             Some(index) => index,
             None => self.ask_index(desk).await?,
         };
-        self.chosen = Some((index, Part::Place));
+        self.craft.chosen = Some((index, Part::Place));
         let changed = self.ask_change(desk, index).await;
-        self.chosen = None;
+        self.craft.chosen = None;
         self.history.change(changed?);
         Ok(())
     }
 
     /// Asks for another value of a control point.
-    async fn ask_change(&mut self, desk: &mut Desk<'_>, index: Index) -> Asked<Model> {
-        let part = match self.plan.family {
+    async fn ask_change(&mut self, desk: &mut Desk<'_>, index: Index) -> Asked<NetDesign> {
+        let part = match self.craft.plan.family {
             Family::Hermite => self.ask_part(desk).await?,
             _ => Part::Place,
         };
-        self.chosen = Some((index, part));
-        let now = self.history.now();
-        if self.plan.family == Family::Heights {
+        self.craft.chosen = Some((index, part));
+        if self.craft.plan.family == Family::Heights {
             let height = ask_height(desk, self, words::HEIGHT_TITLE).await?;
-            // The index was chosen among those that the net has.
-            let [x, y, _] = now.point(index).ok_or(Stop::Cancelled)?;
-            return Ok(now.moved(&self.plan, index, [x, y, height]));
+            return Ok(self.history.now().moved(index, [0.0, 0.0, height]));
         }
         let value = ask_place(desk, self, part.title()).await?;
-        Ok(now.with_part(&self.plan, index, part, value))
+        Ok(self.history.now().with_part(index, part, value))
     }
 
     /// The command F: the surface instead of the net.
     async fn show_surface(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        match self.plan.family {
+        match self.craft.plan.family {
             Family::Heights => {}
-            Family::BSpline => (self.degree, self.display) = self.ask_degree_and_display(desk).await?,
-            _ => self.display = ask_display(desk, self).await?,
+            Family::BSpline => {
+                let (degree, display) = self.ask_degree_and_display(desk).await?;
+                self.craft.display = display;
+                let named = (degree != Method::BSpline3).then_some(degree);
+                self.history.change(self.history.now().with_settings(|settings| settings.method = named));
+            }
+            _ => self.craft.display = ask_display(desk, self).await?,
         }
         self.refresh(desk);
         Ok(())
     }
 
-    /// The command E: the surface without its surroundings, to be looked at from all sides, until Esc.
-    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        if !self.shown {
-            desk.tell(words::NO_SURFACE, Stay::Briefly);
-            return Ok(());
-        }
-        let asks = self.plan.family != Family::Heights;
-        if asks {
-            self.display = ask_display(desk, self).await?;
-        }
-        if !self.refresh(desk) {
-            return Ok(());
-        }
-        self.stage = Stage::Result;
-        loop {
-            let tick = event(self, desk).await?;
-            if self.viewer.look_around(&tick) || self.inspect(desk, &tick) {
-                continue;
-            }
-            match tick.letter() {
-                Some('D') if asks => self.display = Display::Wire,
-                Some('T') if asks => self.display = Display::Filled,
-                _ if tick.pressed(Key::Esc) => break,
-                _ => {}
-            }
-        }
-        self.viewer.stop();
-        if asks {
-            self.stage = Stage::Returning;
-            if let Some(display) = ask_display(desk, self).await.unless_cancelled()? {
-                self.display = display;
-            }
-        }
-        self.stage = Stage::Working;
-        Ok(())
-    }
-
-    /// Asks for a direction and a parameter there. The surface in the picture stays that of the last F, as
-    /// in the original, unless it shall follow; a shape that has no surface is told about, and kept as the
-    /// user gave it.
-    async fn reshape(
+    /// Asks for a direction and a parameter there.
+    async fn ask_parameter(
         &mut self,
         desk: &mut Desk<'_>,
-        entry: (Words, (i32, i32)),
+        caption: Words,
         range: RangeInclusive<f64>,
-        parameter: fn(&mut Form) -> &mut [f64; 2],
+        get: fn(&NetDesign) -> [f64; 2],
+        set: fn(&mut NetSettings, [f64; 2]),
     ) -> Asked<()> {
         let direction = self.ask_direction(desk).await?;
-        let typed = ask_real(desk, self, entry, TENSION).await?;
+        let typed = ask_real(desk, self, (caption, ENTRY), TENSION).await?;
         let value = typed.clamp(*range.start(), *range.end());
-        let mut model = self.history.now().clone();
-        if let Some(place) = parameter(&mut model.form).get_mut(direction) {
-            *place = value;
-        }
-        self.history.change(model);
         if value != typed {
-            self.say(desk, words::taken_into(&range));
+            desk.tell(words::taken_into(&range), Stay::Briefly);
         }
-        if let Err(problem) = self.draw_up(self.history.now()) {
-            desk.tell(problem, Stay::UntilRead);
-        } else if self.follow && self.drawn.is_some() {
-            self.refresh(desk);
-        }
+        let mut values = get(self.history.now());
+        values[direction.min(1)] = value;
+        self.reshape(desk, self.history.now().with_settings(|settings| set(settings, values)));
         Ok(())
     }
 }

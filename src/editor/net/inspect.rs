@@ -1,13 +1,14 @@
 //! Looking closer at a surface: zebra stripes, which break where the surface does, its Gaussian curvature,
 //! and a section by a plane.
 
+use super::Nets;
 use super::surface::{Drawn, draw_cells};
-use super::{Desk, Editor};
+use crate::editor::Editor;
 use crate::editor::look::Look;
 use crate::geometry::{Plane, Point, Surface, section};
 use crate::machine::{Key, Tick};
-use crate::screen::{Color, Screen, Stroke};
-use crate::ui::words;
+use crate::screen::{Color, Screen};
+use crate::ui::{Desk, Stay, words};
 
 /// What colours tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,29 +52,30 @@ const SADDLE: [Color; 4] = [Color::LightBlue, Color::Blue, Color::LightCyan, Col
 const FLAT: Color = Color::DarkGray;
 const DOME: [Color; 4] = [Color::Brown, Color::Yellow, Color::Red, Color::LightRed];
 
-impl Editor {
+impl Editor<Nets, 3> {
     /// Switches inspection and section, and moves the plane. Whether the event was for that.
     pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
         match tick.key() {
             Some(Key::F(5)) => {
-                self.inspection = self.inspection.next();
+                self.craft.inspection = self.craft.inspection.next();
                 let [_, zebra, curvature] = words::INSPECTIONS;
-                match self.inspection {
+                match self.craft.inspection {
                     Inspection::Off => {}
-                    Inspection::Zebra => self.say(desk, zebra),
-                    Inspection::Curvature => self.say(desk, curvature),
+                    Inspection::Zebra => desk.tell(zebra, Stay::Briefly),
+                    Inspection::Curvature => desk.tell(curvature, Stay::Briefly),
                 }
             }
             Some(Key::F(6)) => {
-                self.section = match self.section {
+                self.craft.section = match self.craft.section {
                     None => Some(Section { axis: 0, offset: 0.0 }),
                     Some(Section { axis: 2, .. }) => None,
                     Some(Section { axis, .. }) => Some(Section { axis: axis + 1, offset: 0.0 }),
                 };
             }
-            Some(Key::Char(sign @ ('+' | '-'))) if self.section.is_some() => {
+            Some(Key::Char(sign @ ('+' | '-'))) if self.craft.section.is_some() => {
                 let step = if sign == '+' { STEP } else { -STEP };
-                self.section = self
+                self.craft.section = self
+                    .craft
                     .section
                     .map(|section| Section { offset: (section.offset + step).clamp(-1e6, 1e6), ..section });
             }
@@ -81,35 +83,32 @@ impl Editor {
         }
         true
     }
+}
 
-    /// The axis and the offset of the section in the corner of the picture.
-    pub(super) fn draw_section(&self, screen: &mut Screen, drawn: &Drawn, look: Look) {
-        let Some(Section { axis, offset }) = self.section else { return };
-        let name = ["x", "y", "z"][axis.min(2)];
-        screen.text(560, 66, &format!("{name} = {offset}"), Color::Yellow);
-        for line in self.section_lines(drawn) {
-            let pixels: Vec<(i32, i32)> = line.into_iter().map(|point| look.to_screen(point)).collect();
-            screen.polyline(&pixels, Stroke::thick(Color::Yellow));
-        }
+impl Section {
+    /// What stands in the corner of the picture.
+    pub(super) fn name(self) -> String {
+        format!("{} = {}", ["x", "y", "z"][self.axis.min(2)], self.offset)
     }
 
-    /// Where the plane cuts the surface; nothing without a plane.
-    pub(super) fn section_lines(&self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
-        let Some(Section { axis, offset }) = self.section else { return Vec::new() };
+    /// Where the plane cuts a surface.
+    pub(super) fn lines(self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
         let mut normal = [0.0; 3];
-        normal[axis.min(2)] = 1.0;
-        section(&drawn.surface, Plane { normal, offset }, drawn.steps).unwrap_or_default()
+        normal[self.axis.min(2)] = 1.0;
+        section(&drawn.surface, Plane { normal, offset: self.offset }, drawn.steps).unwrap_or_default()
     }
+}
 
-    /// Draws the surface in colours; `false` if nothing is inspected.
-    pub(super) fn draw_inspected(&self, screen: &mut Screen, drawn: &Drawn, look: Look) -> bool {
+impl Inspection {
+    /// Draws a surface in colours; `false` if nothing is inspected.
+    pub(super) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look) -> bool {
         let surface = &drawn.surface;
         let [rows, columns] = surface.spans();
         let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
         let Ok(grid) = surface.grid(steps) else { return false };
         let size = surface.bounding_box().map_or(1.0, |b| b.size().into_iter().fold(1e-9, f64::max));
         let toward = look.view.toward();
-        let color: Box<dyn Fn(&Place<'_>) -> Color> = match self.inspection {
+        let color: Box<dyn Fn(&Place<'_>) -> Color> = match self {
             Inspection::Off => return false,
             Inspection::Zebra => Box::new(move |place| place.zebra(toward)),
             Inspection::Curvature => Box::new(move |place| place.curvature(size)),

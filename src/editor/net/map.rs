@@ -1,6 +1,6 @@
 //! The little map of the net beside the page: a disc for each control point, to be chosen by a click.
 
-use super::model::Index;
+use crate::design::Index;
 use crate::screen::{Color, Screen, Stroke};
 
 /// The map of a net with so many control points in the directions of u and v.

@@ -3,66 +3,75 @@
 
 mod ask;
 mod commands;
-mod figure;
 mod inspect;
 mod map;
-mod model;
-mod nets;
 mod picture;
 mod plan;
 mod show;
 mod surface;
+mod tables;
 
 pub use plan::{Family, Plan, Start};
-pub use show::{SHOW_KEYS, Show, show, shows_nothing_else};
+pub use show::{SHOW_KEYS, Show, show};
+pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS};
 
-use super::keys::{QUIT, SAVE, UNDO};
-use super::look::{Grip, Held, Look, Poles, Viewer};
-use crate::file::{Document, FileKind, Format};
-use crate::geometry::Point;
-use crate::machine::{Asked, Asking, Machine, Tick};
+use super::lens::Held;
+use super::look::{Look, Poles, Viewer};
+use super::picture::{Layer, Page};
+use super::seen::Item;
+use super::stage::Stage;
+use super::{Craft, Editor, refusal};
+use crate::design::{DesignError, Index, NetDesign, Part};
+use crate::file::{Document, Format, Method, Net, NetSettings};
+use crate::geometry::{Border, Point};
+use crate::machine::{Asked, Asking, Tick};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{self, Desk, KeyHelp, Stay, Words};
-use crate::work::{self, Configuration, History, Next, common_key, event};
+use crate::ui::{self, Commands, Desk, Stay};
+use crate::work::Next;
+use ask::ask_display;
 use inspect::{Inspection, Section};
 use map::Map;
-use model::{Index, Model, Part};
-use plan::{Degree, Form};
 use serde::Serialize;
+use std::rc::Rc;
 use surface::{Display, Drawn};
+use tables::Action;
 
-/// Where the editor is between the first question and the result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stage {
-    /// Before there is a configuration; before the first one there are no buttons either.
-    Starting { buttons: bool },
-    /// Editing.
-    Working,
-    /// The surface without its surroundings.
-    Result,
-    /// On the way back from there.
-    Returning,
+/// Makes the editor ready as a program, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn start(plan: &'static Plan, document: Option<Document>) -> Result<ui::Start, Phrase> {
+    super::start(Nets::new(plan), plan.manual, document)
 }
 
-/// The editor's whole state.
-struct Editor {
-    plan: Plan,
-    history: History<Model>,
-    viewer: Viewer,
-    held: Option<Held<Index>>,
+/// What the editor of surfaces has of its own.
+struct Nets {
+    plan: &'static Plan,
     /// The surface of the last "F", if it stands in the picture instead of the net.
-    drawn: Option<Drawn>,
-    /// Whether there has been an "F" since the last change of the net: only then there is a result.
-    shown: bool,
+    drawn: Option<Rc<Drawn>>,
     display: Display,
-    degree: Degree,
-    /// Whether the surface is always in the picture, and follows every change.
-    follow: bool,
     inspection: Inspection,
     section: Option<Section>,
     /// The control point that is about to be changed, and what of it.
     chosen: Option<(Index, Part)>,
-    stage: Stage,
+}
+
+impl Nets {
+    fn new(plan: &'static Plan) -> Nets {
+        Nets {
+            plan,
+            drawn: None,
+            display: Display::Wire,
+            inspection: Inspection::Off,
+            section: None,
+            chosen: None,
+        }
+    }
+
+    /// Whether the user chooses between wires and filled cells; heights have no wires.
+    fn asks_display(&self) -> bool {
+        self.plan.family != Family::Heights
+    }
 }
 
 /// The model as `dump` writes it. Angles are in degrees.
@@ -82,288 +91,200 @@ struct Dump {
     unsaved: bool,
 }
 
-const CHANGE: KeyHelp = (Words("V", "V"), words::HELP_NET_CHANGE);
-const SURFACE: KeyHelp = (Words("F", "F"), words::HELP_SURFACE);
-const RESULT: KeyHelp = (Words("E", "E"), words::HELP_SURFACE_RESULT);
-const DRAG: KeyHelp = (Words("egér", "mouse"), words::HELP_NET_DRAG);
-const TURN_DRAG: KeyHelp = (Words("jobb gomb", "right button"), words::HELP_TURN_DRAG);
-const TURN_KEYS: KeyHelp = (Words("nyilak", "arrows"), words::HELP_TURN_KEYS);
-const ZOOM: KeyHelp = (Words("kerék", "wheel"), words::HELP_ZOOM);
-const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);
-const FOLLOW: KeyHelp = (Words("F3", "F3"), words::HELP_NET_FOLLOW);
-const BORDER: KeyHelp = (Words("F4", "F4"), words::HELP_BORDER);
-const INSPECT: KeyHelp = (Words("F5", "F5"), words::HELP_INSPECT);
-const SECTION: KeyHelp = (Words("F6", "F6"), words::HELP_SECTION);
-const MIRROR: KeyHelp = (Words("F7", "F7"), words::HELP_MIRROR);
-const REFINE: KeyHelp = (Words("F8", "F8"), words::HELP_REFINE);
-const SHAPES: KeyHelp = (Words("A C", "A C"), words::HELP_SHAPES);
-const COEFFICIENTS: KeyHelp = (Words("C", "C"), words::HELP_K0);
-
-/// The keys for the help page of a program without parameters.
-pub const KEYS: &[KeyHelp] = &[
-    CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, INSPECT, SECTION, MIRROR,
-    SAVE, UNDO,
-];
-/// The keys with a coefficient in each direction.
-pub const LOCAL_KEYS: &[KeyHelp] = &[
-    CHANGE,
-    SURFACE,
-    RESULT,
-    COEFFICIENTS,
-    QUIT,
-    DRAG,
-    TURN_DRAG,
-    TURN_KEYS,
-    ZOOM,
-    HOME,
-    FOLLOW,
-    INSPECT,
-    SECTION,
-    MIRROR,
-    SAVE,
-    UNDO,
-];
-/// The keys with bias and tension in each direction.
-pub const BETA_KEYS: &[KeyHelp] = &[
-    CHANGE, SURFACE, RESULT, SHAPES, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, INSPECT, SECTION,
-    MIRROR, SAVE, UNDO,
-];
-/// The keys for B-splines.
-pub const B_SPLINE_KEYS: &[KeyHelp] = &[
-    CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, BORDER, INSPECT, SECTION,
-    MIRROR, REFINE, SAVE, UNDO,
-];
-/// The keys for splines and the Bézier patch.
-pub const FINER_KEYS: &[KeyHelp] = &[
-    CHANGE, SURFACE, RESULT, QUIT, DRAG, TURN_DRAG, TURN_KEYS, ZOOM, HOME, FOLLOW, INSPECT, SECTION, MIRROR,
-    REFINE, SAVE, UNDO,
-];
-
-/// Makes the editor ready as a program, with a document that was named at the start or none.
-///
-/// # Errors
-/// Why it cannot work with the document.
-pub fn start(plan: &'static Plan, document: Option<Document>) -> Result<ui::Start, Phrase> {
-    document.as_ref().map_or(Ok(()), |document| check(plan, document))?;
-    Ok(Box::new(move |machine| Box::pin(run(machine, *plan, document))))
-}
-
-/// Runs the editor as a program, with a document that was named at the start or none.
-///
-/// # Errors
-/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed and nothing is left to save.
-pub async fn run(machine: &mut Machine, plan: Plan, document: Option<Document>) -> Asked<()> {
-    let manual = plan.manual;
-    work::run(Editor::new(plan), &mut Desk::new(machine, manual), document).await
-}
-
-/// Whether a program with a plan can work with a document; else why not.
-///
-/// # Errors
-/// The reason, in both languages.
-pub fn check(plan: &Plan, document: &Document) -> Result<(), Phrase> {
-    model_of(plan, document, Form::default()).map(|_| ())
-}
-
-fn model_of(plan: &Plan, document: &Document, form: Form) -> Result<Model, Phrase> {
-    match document {
-        Document::Net(net) => Model::of_file(plan, net, form),
-        _ => Err(words::NOT_A_NET.into()),
-    }
-}
-
-impl Configuration for Editor {
-    type Value = Model;
+impl Craft<3> for Nets {
+    type Value = NetDesign;
+    type Handle = Index;
+    type Lens = Viewer;
+    type Action = Action;
 
     fn format(&self) -> Format {
         self.plan.kind.format()
     }
 
-    fn extension(&self) -> &'static str {
-        if self.fits_its_format() { self.format().extension() } else { "JSON" }
+    fn commands(&self) -> Commands<Action> {
+        tables::of(self.plan.family)
     }
 
-    fn history(&mut self) -> &mut History<Model> {
-        &mut self.history
+    fn lens(&self) -> Viewer {
+        Viewer::new(Look::new(self.plan.view, Poles::Cross))
     }
 
-    fn reset(&mut self) {
-        self.stage = Stage::Starting { buttons: self.stage != FIRST };
-        let form = self.history.now().form;
-        self.load(Model { form, ..Model::new(&self.plan) });
+    fn fresh(&self, before: Option<&NetDesign>) -> NetDesign {
+        let kept = before.map(|before| before.net.settings).unwrap_or_default();
+        let settings =
+            NetSettings { k0: kept.k0, bias: kept.bias, tension: kept.tension, ..NetSettings::default() };
+        let net = Net { settings, ..Net::new(self.plan.kind, self.plan.net()) };
+        NetDesign { net, implied: self.plan.family.method() }
     }
 
-    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
-        let model = model_of(&self.plan, document, self.history.now().form)?;
-        if let Document::Net(net) = document
-            && net.settings.method == Some(crate::file::Method::BSpline2)
-        {
-            self.degree = Degree::Two;
+    fn of_document(
+        &self,
+        document: &Document,
+        before: &NetDesign,
+    ) -> Result<(NetDesign, Option<Phrase>), Phrase> {
+        let Document::Net(net) = document else { return Err(words::NOT_A_NET.into()) };
+        let (kind, kept) = (self.plan.kind, &before.net.settings);
+        if net.kind != kind && !self.plan.reads.contains(&net.kind) {
+            let other = DesignError::OtherNet { wanted: kind.format(), found: net.kind.format() };
+            return Err(refusal::of_surface(&other));
         }
-        self.load(model);
-        Ok(())
+        let mut design = NetDesign { net: Net { kind, ..net.clone() }, implied: self.plan.family.method() };
+        let settings = &mut design.net.settings;
+        settings.k0 = settings.k0.or(kept.k0);
+        settings.bias = settings.bias.or(kept.bias);
+        settings.tension = settings.tension.or(kept.tension);
+        design.scheme().map_err(|error| refusal::of_surface(&error))?;
+        Ok((design.fitting().map_err(|error| refusal::of_surface(&error))?, None))
     }
 
-    fn document(&self) -> Document {
-        let settings = !self.fits_its_format();
-        Document::Net(self.history.now().to_file(&self.plan, self.degree, settings))
+    fn document(&self, design: &NetDesign) -> Document {
+        Document::Net(design.net.clone())
     }
 
-    fn files(&self, name: &str) -> Result<Vec<(String, Vec<u8>)>, Phrase> {
-        let kind = if self.fits_its_format() { FileKind::Dos(self.format()) } else { FileKind::Json };
-        let content = self.document().encode(kind).map_err(|error| words::in_file(name, &error))?;
-        Ok(vec![(name.to_string(), content)])
+    fn implied(&self) -> Option<Method> {
+        Some(self.plan.family.method())
     }
 
-    fn unsaved_work(&self) -> Result<String, Phrase> {
-        let net = self.history.now().to_file(&self.plan, self.degree, true);
-        Document::Net(net).to_json().map_err(|error| words::plain(&error))
+    fn fits_format(&self, design: &NetDesign) -> bool {
+        design.shape() == self.plan.kind.shape()
     }
 
-    fn model(&self) -> impl Serialize + 'static {
-        let now = self.history.now();
-        let view = self.viewer.look.view;
+    fn names_shape(&self, design: &NetDesign) -> bool {
+        let settings = &design.net.settings;
+        let named = settings.method.is_some() || settings.extended.is_some();
+        named && self.draw_up(design).is_ok()
+    }
+
+    fn model(editor: &Editor<Nets, 3>) -> impl Serialize + 'static {
+        let (now, craft) = (editor.history.now(), &editor.craft);
+        let [azimuth, elevation, zoom] = editor.lens.look.angles();
         Dump {
-            points: now.net.clone(),
-            bias: now.form.bias,
-            tension: now.form.tension,
-            k0: now.form.k0,
-            degree: if self.degree == Degree::Two { 2 } else { 3 },
-            extended: now.border == crate::geometry::Border::Reached,
-            surface: self.drawn.is_some(),
-            filled: self.display == Display::Filled,
-            azimuth: view.azimuth().to_degrees(),
-            elevation: view.elevation().to_degrees(),
-            zoom: self.viewer.look.scale(),
-            unsaved: self.history.unsaved(),
+            points: now.net.points.clone(),
+            bias: now.bias(),
+            tension: now.tension(),
+            k0: now.k0(),
+            degree: if now.method() == Method::BSpline2 { 2 } else { 3 },
+            extended: now.border() == Border::Reached,
+            surface: craft.drawn.is_some(),
+            filled: craft.display == Display::Filled,
+            azimuth,
+            elevation,
+            zoom,
+            unsaved: editor.history.unsaved(),
         }
     }
 
-    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
-        self.held = None;
-        self.viewer.stop();
-        self.chosen = None;
-        loop {
-            self.stage = Stage::Working;
-            let tick = event(self, desk).await?;
-            if self.held.is_some() {
-                self.drag(desk, &tick).await.unless_cancelled()?;
-            } else if self.viewer.look_around(&tick) || self.inspect(desk, &tick) {
-                // Only the picture changes.
-            } else if common_key(self, desk, tick.key()).await? {
-                self.changed();
-            } else {
-                let next = match (self.command(&tick), tick.key()) {
-                    (Some(letter), _) => self.obey(desk, letter).await,
-                    (None, Some(key)) => self.obey_key(desk, key).await,
-                    (None, None) => self.choose_by_click(desk, &tick).await,
-                };
-                match next.unless_cancelled()? {
-                    None | Some(Next::Work) => {}
-                    Some(next) => return Ok(next),
-                }
-            }
-        }
-    }
-}
-
-/// The stage of a program that has just been started.
-const FIRST: Stage = Stage::Starting { buttons: false };
-
-impl Editor {
-    fn new(plan: Plan) -> Editor {
-        Editor {
-            plan,
-            history: History::new(Model::new(&plan)),
-            viewer: Viewer::new(Look::new(plan.view, Poles::Cross)),
-            held: None,
-            drawn: None,
-            shown: false,
-            display: Display::Wire,
-            degree: Degree::Three,
-            follow: false,
-            inspection: Inspection::Off,
-            section: None,
-            chosen: None,
-            stage: FIRST,
-        }
+    fn place(design: &NetDesign, index: Index) -> Option<Point<3>> {
+        design.point(index)
     }
 
-    /// Takes up a model that needs no saving, and looks at it as at the start.
-    fn load(&mut self, model: Model) {
-        self.history = History::new(model);
-        self.viewer = Viewer::new(Look::new(self.plan.view, Poles::Cross));
-        self.drawn = None;
-        self.shown = false;
-        self.held = None;
-        self.chosen = None;
-        self.section = None;
+    fn moved(design: &NetDesign, index: Index, at: Point<3>) -> NetDesign {
+        design.moved(index, at)
     }
 
-    fn fits_its_format(&self) -> bool {
-        self.history.now().shape() == self.plan.kind.shape()
+    fn handle_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Index> {
+        if editor.map().hit(at).is_some() { None } else { editor.point_at(at) }
+    }
+
+    fn seen(editor: &Editor<Nets, 3>) -> Vec<Item<3>> {
+        editor.items()
+    }
+
+    fn forget(editor: &mut Editor<Nets, 3>) {
+        let drawn = editor.craft.draw_up(editor.history.now()).ok().map(Rc::new);
+        let shown = editor.craft.names_shape(editor.history.now());
+        let craft = &mut editor.craft;
+        (craft.section, craft.chosen, craft.drawn) = (None, None, drawn.filter(|_| shown));
+    }
+
+    fn looked(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, tick: &Tick) -> bool {
+        let display = match tick.letter().filter(|_| editor.stage.is_result() && editor.craft.asks_display())
+        {
+            Some('D') => Display::Wire,
+            Some('T') => Display::Filled,
+            _ => return editor.inspect(desk, tick),
+        };
+        editor.craft.display = display;
+        true
+    }
+
+    /// A click on the map chooses its point.
+    fn clicked(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {
+        editor.map().hit(at).map(Action::ChangeAt)
+    }
+
+    async fn obey(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
+        editor.carry_out(desk, action).await
     }
 
     /// After a change the net is in the picture.
-    fn changed(&mut self) {
-        self.drawn = None;
-        self.shown = self.follow;
+    fn changed(editor: &mut Editor<Nets, 3>) {
+        editor.craft.drawn = None;
+        editor.shown.known = editor.shown.follow;
     }
 
-    fn map(&self) -> Map {
-        Map::new(self.history.now().choices(&self.plan))
-    }
-
-    /// The command letter of a key or of a click on a button.
-    fn command(&self, tick: &Tick) -> Option<char> {
-        let Some((x, y)) = tick.click() else { return tick.letter() };
-        let button = picture::buttons(self.plan.family).find(|button| button.hit(x, y));
-        button.map(|button| button.text.letter)
-    }
-
-    /// A click on the map chooses its point; one on a control point in the picture takes it up.
-    async fn choose_by_click(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<Next> {
-        let Some(place) = tick.click() else { return Ok(Next::Work) };
-        if let Some(index) = self.map().hit(place) {
-            self.change(desk, Some(index)).await?;
-        } else if let Some(index) = self.point_at(place) {
-            self.held = self.history.now().point(index).map(|at| Held::new(index, place, at));
+    /// A point that has not been moved was only chosen.
+    async fn dropped(
+        editor: &mut Editor<Nets, 3>,
+        desk: &mut Desk<'_>,
+        held: Held<Index, 3>,
+        moved: NetDesign,
+    ) -> Asked<()> {
+        if held.at == held.from {
+            return editor.change(desk, Some(held.handle)).await;
         }
-        Ok(Next::Work)
-    }
-
-    /// Follows the mouse with the point that it holds, in the plane of the picture, and drops it. A point
-    /// that has not been moved was only chosen.
-    async fn drag(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<()> {
-        let Some(held) = &mut self.held else { return Ok(()) };
-        match held.follow(tick, self.viewer.look) {
-            Grip::Holding => {}
-            Grip::LetGo => self.held = None,
-            Grip::Dropped => {
-                let (unmoved, index) = (held.unmoved(), held.index);
-                let moved = self.preview();
-                self.held = None;
-                if unmoved {
-                    return self.change(desk, Some(index)).await;
-                }
-                self.history.change(moved);
-                self.changed();
-            }
-        }
+        editor.history.change(moved);
+        Nets::changed(editor);
         Ok(())
     }
 
-    /// The model as it would be if the held point were dropped now.
-    fn preview(&self) -> Model {
-        let now = self.history.now();
-        match self.held {
-            Some(held) => now.moved(&self.plan, held.index, held.at),
-            None => now.clone(),
+    fn problem(editor: &Editor<Nets, 3>) -> Option<Phrase> {
+        editor.craft.draw_up(editor.history.now()).err().map(|error| refusal::of_surface(&error))
+    }
+
+    /// The surface in the picture stays that of the last F, as in the original, unless it shall follow.
+    fn reshaped(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>) {
+        if editor.shown.follow && editor.craft.drawn.is_some() {
+            editor.refresh(desk);
         }
     }
 
-    /// Says what a key has switched.
-    fn say(&self, desk: &mut Desk<'_>, text: impl Into<Phrase>) {
-        desk.tell(text, Stay::Briefly);
+    async fn begin_result(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>) -> Asked<bool> {
+        if !editor.shown.known {
+            desk.tell(words::NO_SURFACE, Stay::Briefly);
+            return Ok(false);
+        }
+        if editor.craft.asks_display() {
+            editor.craft.display = ask_display(desk, editor).await?;
+        }
+        if !editor.refresh(desk) {
+            return Ok(false);
+        }
+        editor.stage = Stage::Result { points: false };
+        Ok(true)
+    }
+
+    async fn end_result(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>) -> Asked<()> {
+        if editor.craft.asks_display() {
+            editor.stage = Stage::Returning;
+            let display = ask_display(desk, editor).await.unless_cancelled()?;
+            editor.craft.display = display.unwrap_or(editor.craft.display);
+        }
+        editor.stage = Stage::Working;
+        Ok(())
+    }
+
+    fn covers_ground(editor: &Editor<Nets, 3>) -> bool {
+        editor.craft.drawn.is_some() || editor.stage.is_result()
+    }
+
+    fn draw(editor: &Editor<Nets, 3>, layer: Layer, page: &mut Page<'_>) {
+        editor.draw_own(layer, page);
+    }
+}
+
+impl Editor<Nets, 3> {
+    fn map(&self) -> Map {
+        Map::new(self.history.now().choices())
     }
 }

@@ -1,8 +1,8 @@
 //! What makes one surface program different from another: a plan of a few lines.
 
-use super::nets;
-use crate::file::NetKind;
-use crate::geometry::{Border, Method, Point, Scheme};
+use crate::design::nets;
+use crate::file::{Method, NetKind};
+use crate::geometry::Point;
 use crate::ui::Manual;
 
 /// A surface program.
@@ -67,48 +67,18 @@ impl Plan {
             Start::Torus(ring, tube) => nets::torus(shape, ring, tube),
         }
     }
-
-    /// How the surface is woven with some shape; nothing for the Hermite patch, which is no matter of
-    /// weights.
-    pub(super) fn scheme(&self, form: &Form, degree: Degree, border: Border) -> Option<Scheme> {
-        let methods = match self.family {
-            Family::Hermite => return None,
-            Family::Spline | Family::Heights => [Method::Spline; 2],
-            Family::Local => form.k0.map(|k0| Method::Local { k0 }),
-            Family::Bezier => [Method::Bezier; 2],
-            Family::BSpline => [degree.method(); 2],
-            Family::Beta => [0, 1].map(|d| Method::Beta { bias: form.bias[d], tension: form.tension[d] }),
-        };
-        Some(Scheme { u: methods[0], v: methods[1], topology: self.kind.topology(), border })
-    }
 }
 
-/// The degree of a B-spline.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Degree {
-    Two,
-    Three,
-}
-
-impl Degree {
+impl Family {
+    /// The method where a net names none.
     pub(super) fn method(self) -> Method {
         match self {
-            Degree::Two => Method::BSpline2,
-            Degree::Three => Method::BSpline3,
+            Family::Hermite => Method::Hermite,
+            Family::Spline | Family::Heights => Method::Spline,
+            Family::Local => Method::Local,
+            Family::Bezier => Method::Bezier,
+            Family::BSpline => Method::BSpline3,
+            Family::Beta => Method::Beta,
         }
-    }
-}
-
-/// The shape parameters, those of u before those of v.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Form {
-    pub(super) bias: [f64; 2],
-    pub(super) tension: [f64; 2],
-    pub(super) k0: [f64; 2],
-}
-
-impl Default for Form {
-    fn default() -> Form {
-        Form { bias: [1.0; 2], tension: [0.0; 2], k0: [0.5; 2] }
     }
 }

@@ -1,15 +1,15 @@
 //! A surface that is only looked at: turned, zoomed, in wires or filled.
 
-use super::figure::of_grid;
+use super::picture::of_grid;
 use super::surface::{Display, Fill, draw_grid};
 use crate::editor::axes::draw_legend;
+use crate::editor::keys;
 use crate::editor::look::{Look, Poles, Viewer};
 use crate::figure::Figure;
-use crate::file::Document;
 use crate::geometry::{Grid, Point};
 use crate::machine::{Asked, Key, Language, Machine};
 use crate::screen::{Color, Screen};
-use crate::ui::words::{self, Phrase};
+use crate::ui::words;
 use crate::ui::{Desk, KeyHelp, Manual, Picture, Words};
 use serde::Serialize;
 
@@ -27,10 +27,10 @@ pub struct Show {
 /// The keys for the help page.
 pub const SHOW_KEYS: &[KeyHelp] = &[
     (Words("D T", "D T"), words::HELP_SURFACE),
-    super::TURN_KEYS,
-    super::TURN_DRAG,
-    super::ZOOM,
-    super::HOME,
+    keys::TURN_KEYS,
+    keys::TURN_DRAG,
+    keys::ZOOM,
+    keys::HOME,
     (Words("Esc", "Esc"), words::HELP_END),
 ];
 
@@ -88,12 +88,4 @@ pub async fn show(machine: &mut Machine, show: Show) -> Asked<()> {
             _ => {}
         }
     }
-}
-
-/// A program that shows its own surface opens no file.
-///
-/// # Errors
-/// Always: the reason, in both languages.
-pub fn shows_nothing_else(_: &Document) -> Result<(), Phrase> {
-    Err(words::NO_FILES.into())
 }

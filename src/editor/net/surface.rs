@@ -1,13 +1,13 @@
 //! The surface in the picture: wires, or filled cells of which the nearest are seen.
 
-use super::Editor;
-use super::model::Model;
+use super::Nets;
 use super::plan::Family;
+use crate::design::{DesignError, NetDesign};
 use crate::editor::look::Look;
 use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex, dot};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
-use crate::ui::words::{self, Phrase};
+use crate::ui::words;
 
 /// How a surface is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,14 +66,14 @@ pub(super) enum Fill {
     Sides,
 }
 
-impl Editor {
-    /// The surface of a model; else why there is none.
-    pub(super) fn draw_up(&self, model: &Model) -> Result<Drawn, Phrase> {
-        let surface = model.surface(&self.plan, self.degree).map_err(|error| words::no_surface(&error))?;
-        let [rows, columns] = model.shape();
+impl Nets {
+    /// The surface of a net; else why there is none.
+    pub(super) fn draw_up(&self, net: &NetDesign) -> Result<Drawn, DesignError> {
+        let surface = net.surface()?;
+        let [rows, columns] = net.shape();
         // Large nets are drawn in larger steps, to keep the picture quick and readable.
         let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
-        let grid = surface.grid(steps).map_err(|error| words::no_surface(&error))?;
+        let grid = surface.grid(steps)?;
         Ok(Drawn { surface, grid, steps })
     }
 

@@ -1,82 +1,47 @@
 //! The tangents of GB_2D_CH: their tips on the screen, their length and direction by number, and the
 //! automatic ones that the original offers after every action.
 
-use super::layout::to_screen;
-use super::{Editor, Sketch, Tools};
-use crate::editor::choice::{FEWEST, ask_closure, ask_coefficient};
-use crate::geometry::{Closure, Point, automatic_tangents};
+use super::ask::{FEWEST, ask_closure, ask_coefficient};
+use super::{Ambient, Curves, Tools};
+use crate::design::Place;
+use crate::editor::Editor;
+use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
-use crate::screen::{Color, Screen, Stroke};
+use crate::screen::{Color, Stroke};
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
+use serde::Serialize;
 
-/// Radius of the disc at the tip of a tangent in pixels.
-const TIP_RADIUS: i32 = 7;
-
-impl Sketch {
-    /// The tip of the tangent at a point: half the vector away from it.
-    pub(super) fn tip(&self, index: usize) -> Option<Point<2>> {
-        let ([x, y], [dx, dy]) = (*self.points().get(index)?, self.tangent(index)?);
-        Some([x + (dx / 2.0).round_ties_even(), y + (dy / 2.0).round_ties_even()])
-    }
-
-    /// The sketch with the tip of a tangent at another place.
-    pub(super) fn with_tip(&self, index: usize, tip: Point<2>) -> Sketch {
-        match self.points().get(index) {
-            Some(point) => self.with_tangent(index, [2.0 * (tip[0] - point[0]), 2.0 * (tip[1] - point[1])]),
-            None => self.clone(),
-        }
-    }
-}
-
-/// Draws a tangent: dotted from the tip to its mirror image, with a disc at the tip.
-pub(super) fn draw(screen: &mut Screen, point: Point<2>, tip: Point<2>) {
-    let ((x, y), (tip_x, tip_y)) = (to_screen(point), to_screen(tip));
-    let stroke = Stroke::thin(Color::White).dotted();
-    screen.line(tip_x, tip_y, 2 * x - tip_x, 2 * y - tip_y, stroke);
-    screen.disc(tip_x, tip_y, TIP_RADIUS, Color::DarkGray, Color::White);
-}
-
-/// Whether a pixel lies on the disc of a tip.
-pub(super) fn on_tip(tip: Point<2>, (x, y): (i32, i32)) -> bool {
-    let (tip_x, tip_y) = to_screen(tip);
-    (x - tip_x).pow(2) + (y - tip_y).pow(2) <= TIP_RADIUS.pow(2)
-}
-
-impl Editor {
+impl<const D: usize> Editor<Curves<D>, D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
     /// Asks whether the tangents shall be computed, as the original does after every action.
     pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        if self.tools != Tools::Tangents || self.count() < FEWEST {
+        if self.craft.tools != Tools::Tangents || self.count() < FEWEST {
             return Ok(());
         }
         let question = Question::new(TOP, words::ASK_AUTOMATIC, [words::YES, words::NO]);
         if desk.ask(self, &question).await? == Answer::Second {
             return Ok(());
         }
-        let closure = ask_closure(desk, self).await?;
+        let closure = if ask_closure(desk, self).await? { Closure::Closed } else { Closure::Open };
         let k0 = ask_coefficient(desk, self).await?;
-        self.k0 = k0;
+        let mut sketch = self.history.now().clone();
+        sketch.settings.k0 = Some(k0);
         self.shown.after_change();
-        let Ok(sketch) = self.with_automatic_tangents(self.history.now(), closure) else {
+        let Ok(sketch) = sketch.with_automatic_tangents(closure) else {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         };
         self.history.change(sketch);
-        self.note = Some(format!("k0 = {k0:.2}"));
+        self.craft.note = Some(format!("k0 = {k0:.2}"));
         Ok(())
     }
+}
 
-    /// A sketch with the tangents that its points give, in whole numbers as the files hold them.
-    pub(super) fn with_automatic_tangents(
-        &self,
-        sketch: &Sketch,
-        closure: Closure,
-    ) -> Result<Sketch, crate::geometry::GeometryError> {
-        let tangents = automatic_tangents(closure, self.k0, sketch.points())?;
-        let rounded = tangents.into_iter().map(|tangent| tangent.map(f64::round_ties_even)).collect();
-        Ok(Sketch { tangents: Some(rounded), ..sketch.clone() })
-    }
-
+impl Editor<Curves<2>, 2> {
     /// Changes the length or the direction of the tangent at a point.
     pub(super) async fn change_tangent(&mut self, desk: &mut Desk<'_>, index: usize) -> Asked<()> {
         let Some(tangent) = self.history.now().tangent(index) else { return Ok(()) };

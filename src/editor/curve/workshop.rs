@@ -1,10 +1,12 @@
 //! The workshop of section 2.3.8: the present points as measured ones, the curves that the section
 //! compares on them, and the points smoothed by a B-spline and a Bézier curve.
 
-use super::curves::Kind;
-use super::layout::to_screen;
-use super::{Drawing, Editor, Sketch};
-use crate::editor::choice::FEWEST;
+use super::Curves;
+use super::ask::FEWEST;
+use super::compare::Kind;
+use crate::design::Sketch;
+use crate::editor::lens::Lens;
+use crate::editor::{Editor, refusal};
 use crate::figure::Figure;
 use crate::geometry::{FEWEST_MEASURED, Residuals, Smoothed, Smoothing, smooth};
 use crate::machine::{Asked, Key, Language, Stop};
@@ -22,7 +24,7 @@ const RADIUS: i32 = 3;
 /// Where the lines of the communication page begin.
 const LEFT: i32 = 214;
 
-impl Editor {
+impl Editor<Curves<2>, 2> {
     /// The key F5: shows the curves and the smoothed points; Enter takes these over, Esc leaves all as it
     /// was.
     pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
@@ -30,18 +32,18 @@ impl Editor {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         }
-        let smoothed = match smooth(self.history.now().points(), Smoothing::default()) {
+        let smoothed = match smooth(&self.history.now().points, Smoothing::default()) {
             Ok(smoothed) => smoothed,
             Err(error) => {
-                desk.tell(words::no_curve(&error), Stay::UntilRead);
+                desk.tell(refusal::of_curve(&error.into()), Stay::UntilRead);
                 return Ok(());
             }
         };
         // Measured points are an open row, whatever the chosen curve is.
-        let shown = std::mem::take(&mut self.shown);
-        let compared = std::mem::replace(&mut self.compared, COMPARED.to_vec());
+        let compared = std::mem::replace(&mut self.craft.compared, COMPARED.to_vec());
+        self.craft.measured = true;
         let taken = self.look_at(desk, &smoothed).await;
-        (self.shown, self.compared) = (shown, compared);
+        (self.craft.measured, self.craft.compared) = (false, compared);
         taken?;
         self.take_over(&smoothed);
         Ok(())
@@ -62,23 +64,23 @@ impl Editor {
     /// Makes the smoothed points the configuration, in whole numbers as the files hold them.
     fn take_over(&mut self, smoothed: &Smoothed<2>) {
         let rounded = smoothed.points.iter().map(|point| point.map(f64::round_ties_even)).collect();
-        // Means of points of the field are in the field, so that there is a drawing.
-        if let Some(drawing) = Drawing::new(rounded) {
-            self.change(Sketch { drawing, ..self.history.now().clone() });
+        // Means of points of the field are in the field, so that they fit.
+        if let Ok(sketch) = (Sketch { points: rounded, ..self.history.now().clone() }).fitting() {
+            self.change(sketch);
         }
     }
 }
 
 /// The picture of the workshop.
 struct Workshop<'e> {
-    editor: &'e Editor,
+    editor: &'e Editor<Curves<2>, 2>,
     smoothed: &'e Smoothed<2>,
 }
 
 impl Picture for Workshop<'_> {
     fn draw(&self, screen: &mut Screen, language: Language) {
         self.editor.draw(screen, language);
-        for (x, y) in self.smoothed.points.iter().copied().map(to_screen) {
+        for (x, y) in self.smoothed.points.iter().map(|&point| self.editor.lens.pixel(point)) {
             screen.disc(x, y, RADIUS, Color::LightGreen, Color::Black);
         }
         draw_page(screen, self.smoothed.residuals, language);

@@ -4,7 +4,7 @@ use crate::geometry::Point;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The matrix of a Hermite patch: a flat square with its middle in the origin, all vectors zero.
-pub(super) fn square(side: f64) -> Vec<Vec<Point<3>>> {
+pub fn square(side: f64) -> Vec<Vec<Point<3>>> {
     let corner = |k: usize, l: usize| [k, l].map(|index| (index as f64 - 0.5) * side);
     (0..4)
         .map(|k| {
@@ -19,13 +19,13 @@ pub(super) fn square(side: f64) -> Vec<Vec<Point<3>>> {
 }
 
 /// A flat grid with its middle in the origin.
-pub(super) fn plane([rows, columns]: [usize; 2], spacing: f64) -> Vec<Vec<Point<3>>> {
+pub fn plane([rows, columns]: [usize; 2], spacing: f64) -> Vec<Vec<Point<3>>> {
     let place = |index: usize, count: usize| (index as f64 - (count - 1) as f64 / 2.0) * spacing;
     (0..rows).map(|k| (0..columns).map(|l| [place(k, rows), place(l, columns), 0.0]).collect()).collect()
 }
 
 /// Meridians of a sphere, from pole to pole.
-pub(super) fn sphere([rows, columns]: [usize; 2], radius: f64) -> Vec<Vec<Point<3>>> {
+pub fn sphere([rows, columns]: [usize; 2], radius: f64) -> Vec<Vec<Point<3>>> {
     let meridian = |k: usize| {
         let (sin, cos) = (TAU * k as f64 / rows as f64).sin_cos();
         (0..columns)
@@ -41,7 +41,7 @@ pub(super) fn sphere([rows, columns]: [usize; 2], radius: f64) -> Vec<Vec<Point<
 }
 
 /// Circles around the tube of a torus.
-pub(super) fn torus([rows, columns]: [usize; 2], ring: f64, tube: f64) -> Vec<Vec<Point<3>>> {
+pub fn torus([rows, columns]: [usize; 2], ring: f64, tube: f64) -> Vec<Vec<Point<3>>> {
     let circle = |k: usize| {
         let (sin, cos) = (TAU * k as f64 / rows as f64).sin_cos();
         (0..columns)

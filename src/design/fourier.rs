@@ -7,7 +7,7 @@ use std::ops::RangeInclusive;
 
 /// A column of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Column {
+pub enum Column {
     /// Amplitudes of x.
     A,
     /// Phases of x.
@@ -20,7 +20,7 @@ pub(super) enum Column {
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Quantity {
+pub enum Quantity {
     /// Pixels.
     Amplitude,
     /// Units of pi.
@@ -29,26 +29,30 @@ pub(super) enum Quantity {
 
 /// One coefficient: its column and number. The phases have no number 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Coefficient {
-    pub(super) column: Column,
-    pub(super) k: usize,
+pub struct Coefficient {
+    /// Its column.
+    pub column: Column,
+    /// Its number.
+    pub k: usize,
 }
 
 impl Column {
     /// Every column from the left, with its name.
-    pub(super) const ALL: [(Column, &'static str); 4] =
+    pub const ALL: [(Column, &'static str); 4] =
         [(Column::A, "a"), (Column::P, "p"), (Column::B, "b"), (Column::Q, "q")];
 
     /// The column of a name in upper case.
-    pub(super) fn of_letter(letter: char) -> Option<Column> {
+    pub fn of_letter(letter: char) -> Option<Column> {
         Self::ALL.iter().find(|(_, name)| letter.to_lowercase().eq(name.chars())).map(|&(column, _)| column)
     }
 
-    pub(super) fn name(self) -> &'static str {
+    /// Its letter, in lower case.
+    pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(column, _)| *column == self).map_or("", |(_, name)| name)
     }
 
-    pub(super) fn quantity(self) -> Quantity {
+    /// What its coefficients measure.
+    pub fn quantity(self) -> Quantity {
         match self {
             Column::A | Column::B => Quantity::Amplitude,
             Column::P | Column::Q => Quantity::Phase,
@@ -56,7 +60,7 @@ impl Column {
     }
 
     /// The numbers of its coefficients.
-    pub(super) fn numbers(self) -> RangeInclusive<usize> {
+    pub fn numbers(self) -> RangeInclusive<usize> {
         match self.quantity() {
             Quantity::Amplitude => 0..=HARMONICS - 1,
             Quantity::Phase => 1..=HARMONICS - 1,
@@ -84,7 +88,7 @@ impl Column {
 
 impl Quantity {
     /// How many characters its windows hold.
-    pub(super) fn width(self) -> usize {
+    pub fn width(self) -> usize {
         match self {
             Quantity::Amplitude => 3,
             Quantity::Phase => 4,
@@ -92,7 +96,7 @@ impl Quantity {
     }
 
     /// What may be typed: all that the window can show.
-    pub(super) fn range(self) -> RangeInclusive<f64> {
+    pub fn range(self) -> RangeInclusive<f64> {
         match self {
             Quantity::Amplitude => -99.0..=999.0,
             Quantity::Phase => -9.9..=9.99,
@@ -115,7 +119,7 @@ impl Quantity {
     }
 
     /// A value as its window shows it: with fewer decimals, a power of ten or stars if it does not fit.
-    pub(super) fn shown(self, value: f64) -> String {
+    pub fn shown(self, value: f64) -> String {
         let width = self.width();
         let plain = (0..=self.decimals()).rev().map(|decimals| fixed(value, decimals));
         let power = std::iter::once(format!("{value:.0E}"));
@@ -126,26 +130,26 @@ impl Quantity {
 
 impl Coefficient {
     /// The coefficient of a column with the number nearest to `k`.
-    pub(super) fn new(column: Column, k: usize) -> Coefficient {
+    pub fn new(column: Column, k: usize) -> Coefficient {
         let numbers = column.numbers();
         Coefficient { column, k: k.clamp(*numbers.start(), *numbers.end()) }
     }
 
     /// The coefficients of all windows.
-    pub(super) fn all() -> impl Iterator<Item = Coefficient> {
+    pub fn all() -> impl Iterator<Item = Coefficient> {
         Column::ALL
             .into_iter()
             .flat_map(|(column, _)| column.numbers().map(move |k| Coefficient { column, k }))
     }
 
     /// The one below, or the uppermost of its column.
-    pub(super) fn below(self) -> Coefficient {
+    pub fn below(self) -> Coefficient {
         let k = if self.column.numbers().contains(&(self.k + 1)) { self.k + 1 } else { 0 };
         Coefficient::new(self.column, k)
     }
 
     /// The one so many columns to the right, going round.
-    pub(super) fn beside(self, columns: usize) -> Coefficient {
+    pub fn beside(self, columns: usize) -> Coefficient {
         let all = Column::ALL;
         let index = all.iter().position(|(column, _)| *column == self.column).unwrap_or(0);
         // The remainder is below the length.
@@ -153,12 +157,12 @@ impl Coefficient {
     }
 
     /// Its value; `k` is below the length, for every constructor keeps it there.
-    pub(super) fn of(self, fourier: &Fourier) -> f64 {
+    pub fn of(self, fourier: &Fourier) -> f64 {
         self.column.row(fourier).get(self.k).copied().unwrap_or(0.0)
     }
 
     /// The coefficients with another value in this place.
-    pub(super) fn changed(self, fourier: &Fourier, value: f64) -> Fourier {
+    pub fn changed(self, fourier: &Fourier, value: f64) -> Fourier {
         let mut changed = fourier.clone();
         if let Some(place) = self.column.row_mut(&mut changed).get_mut(self.k) {
             *place = value;
@@ -168,7 +172,7 @@ impl Coefficient {
 
     /// The coefficients after so many steps up. Amplitudes stay in what the window can show, unless
     /// they were outside; phases go round.
-    pub(super) fn stepped(self, fourier: &Fourier, steps: i32) -> Fourier {
+    pub fn stepped(self, fourier: &Fourier, steps: i32) -> Fourier {
         let quantity = self.column.quantity();
         let old = self.of(fourier);
         // Without the dust of adding hundredths.
@@ -185,7 +189,7 @@ impl Coefficient {
     }
 
     /// Name and value with what the window has no room for, in at most 20 characters.
-    pub(super) fn exact(self, fourier: &Fourier) -> String {
+    pub fn exact(self, fourier: &Fourier) -> String {
         let value = self.of(fourier);
         // Eleven digits: as many as a real of the file keeps for sure.
         let rounded: f64 = format!("{value:.10e}").parse().unwrap_or(value);

@@ -1,18 +1,59 @@
 //! Curves of several methods together, each in its colour.
 
-use super::Editor;
-use super::curves::Kind;
+use super::{Ambient, Curves};
+use crate::design::Place;
+use crate::editor::Editor;
+use crate::file::Method;
+use crate::geometry::Point;
 use crate::machine::{Asked, Key, Language};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Area, Desk, Over, TOP};
+use serde::Serialize;
 
-impl Editor {
+/// A kind of curve that can be laid beside others to compare them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Kind {
+    Coons,
+    Bezier,
+    Spline,
+    BSpline2,
+    BSpline3,
+}
+
+impl Kind {
+    /// Every kind with the name it is listed by and its colour.
+    pub(super) const ALL: [(Kind, &'static str, Color); 5] = [
+        (Kind::Coons, "Coons", Color::LightRed),
+        (Kind::Bezier, "Bézier", Color::LightGreen),
+        (Kind::Spline, "Spline", Color::Yellow),
+        (Kind::BSpline2, "B-spl. 2", Color::LightBlue),
+        (Kind::BSpline3, "B-spl. 3", Color::LightMagenta),
+    ];
+
+    /// The method of this kind.
+    pub(super) fn method(self) -> Method {
+        match self {
+            Kind::Coons => Method::Coons,
+            Kind::Bezier => Method::Bezier,
+            Kind::Spline => Method::Spline,
+            Kind::BSpline2 => Method::BSpline2,
+            Kind::BSpline3 => Method::BSpline3,
+        }
+    }
+}
+
+impl<const D: usize> Editor<Curves<D>, D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
     /// Chooses which curves are shown together, each in its colour.
     pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
         loop {
-            let compared = self.compared.clone();
+            let compared = self.craft.compared.clone();
             let page = Over::new(self, |screen: &mut Screen, language: Language| {
                 crate::ui::page(screen, TOP);
                 for (index, (kind, name, color)) in (0..).zip(Kind::ALL) {
@@ -37,10 +78,10 @@ impl Editor {
                 .and_then(|letter| letter.to_digit(10))
                 .and_then(|digit| (digit as usize).checked_sub(1));
             match clicked.or(typed).and_then(|index| Kind::ALL.get(index)) {
-                Some(&(kind, ..)) if self.compared.contains(&kind) => {
-                    self.compared.retain(|&other| other != kind)
+                Some(&(kind, ..)) if compared.contains(&kind) => {
+                    self.craft.compared.retain(|&other| other != kind)
                 }
-                Some(&(kind, ..)) => self.compared.push(kind),
+                Some(&(kind, ..)) => self.craft.compared.push(kind),
                 None if matches!(tick.key(), Some(Key::Enter | Key::Esc | Key::F(4))) => {
                     return Ok(());
                 }

@@ -1,0 +1,79 @@
+//! Where control points may lie, and the named edits that change a list of them.
+
+use crate::file::{FIELD, MAX_POINTS};
+use crate::geometry::{COORDINATE_LIMIT, Point};
+
+/// A kind of control point, with the places where it may lie.
+pub trait Place: Copy + PartialEq {
+    /// Whether it may lie where it is.
+    fn fits(self) -> bool;
+
+    /// The nearest place where it may lie.
+    #[must_use]
+    fn nearest(self) -> Self;
+}
+
+impl Place for Point<2> {
+    /// In the plane, within the field.
+    fn fits(self) -> bool {
+        self.iter().zip(FIELD).all(|(value, largest)| (0.0..=largest).contains(value))
+    }
+
+    fn nearest(self) -> Self {
+        [self[0].clamp(0.0, FIELD[0]), self[1].clamp(0.0, FIELD[1])]
+    }
+}
+
+impl Place for Point<3> {
+    /// In space, wherever curves can be computed.
+    fn fits(self) -> bool {
+        self.iter().all(|value| value.abs() <= COORDINATE_LIMIT)
+    }
+
+    fn nearest(self) -> Self {
+        self.map(|value| value.clamp(-COORDINATE_LIMIT, COORDINATE_LIMIT))
+    }
+}
+
+/// A named change of the control points. Indices count from 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Edit<P> {
+    /// A new point before the one of an index; behind the last one if there is none.
+    Insert(usize, P),
+    /// A point moves.
+    Move(usize, P),
+    /// A point goes; the later ones shift down.
+    Delete(usize),
+    /// A point gets another index; those between shift by one.
+    Renumber(usize, usize),
+}
+
+/// Whether a list has as many control points as there may be.
+pub(super) fn full<P>(points: &[P]) -> bool {
+    points.len() >= MAX_POINTS
+}
+
+impl<P: Place> Edit<P> {
+    /// Carries the edit out; one that names a point that is not there, or has no room, changes nothing. New
+    /// places are taken to where a point may lie.
+    pub(super) fn carry_out(self, points: &mut Vec<P>) {
+        match self {
+            Edit::Insert(index, point) if !full(points) => {
+                points.insert(index.min(points.len()), point.nearest())
+            }
+            Edit::Move(index, point) => {
+                if let Some(old) = points.get_mut(index) {
+                    *old = point.nearest();
+                }
+            }
+            Edit::Delete(index) if index < points.len() => {
+                points.remove(index);
+            }
+            Edit::Renumber(from, to) if from.max(to) < points.len() => {
+                let point = points.remove(from);
+                points.insert(to, point);
+            }
+            _ => {}
+        }
+    }
+}

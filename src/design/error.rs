@@ -1,0 +1,96 @@
+//! Why a document describes no curve or surface.
+
+use crate::file::{Format, MAX_POINTS, Method};
+use crate::geometry::GeometryError;
+use std::fmt;
+
+/// Why a document describes no curve or surface, or none that an editor can work with.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DesignError {
+    /// It holds neither a curve nor a surface.
+    NoShape,
+    /// Neither the document nor the user names a method.
+    NoMethod,
+    /// The method needs something that the document does not have.
+    Needs(Method),
+    /// An `.FHC` file has no other method than hermite.
+    OnlyHermite,
+    /// The method is one of curves only.
+    ForCurves(Method),
+    /// A Hermite matrix of another size than 4 x 4.
+    NoMatrix,
+    /// A control point, counted from 1, lies outside of the field or of space.
+    Outside(usize, Vec<f64>),
+    /// More control points than an editor holds.
+    TooMany(usize),
+    /// A net of another topology.
+    OtherNet {
+        /// What is wanted.
+        wanted: Format,
+        /// What it is.
+        found: Format,
+    },
+    /// A net that is too small, too large, ragged, or too far away.
+    NetSize {
+        /// Its numbers of rows and columns.
+        found: [usize; 2],
+        /// The fewest.
+        least: [usize; 2],
+        /// The most in either direction.
+        most: usize,
+    },
+    /// The mathematics has no answer.
+    Geometry(GeometryError),
+}
+
+impl From<GeometryError> for DesignError {
+    fn from(error: GeometryError) -> DesignError {
+        DesignError::Geometry(error)
+    }
+}
+
+impl fmt::Display for DesignError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DesignError::NoShape => f.write_str(
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP and the nets .FHC to .ZYP do",
+            ),
+            DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
+            DesignError::Needs(Method::Fourier) => {
+                f.write_str("fourier needs coefficients, as a .GBP file has them")
+            }
+            DesignError::Needs(Method::Hermite) => {
+                f.write_str("hermite needs tangents, as an .IC2 file with its .EC2 or an .FHC file has them")
+            }
+            DesignError::Needs(method) => write!(f, "{} needs more than this file has", method.name()),
+            DesignError::OnlyHermite => f.write_str(
+                "an .FHC file holds points, tangents and twists; it has no other method than hermite",
+            ),
+            DesignError::ForCurves(Method::Coons) => {
+                f.write_str("coons is for curves; of surfaces it is called local")
+            }
+            DesignError::ForCurves(method) => write!(
+                f,
+                "{} is for curves; surfaces have spline, local, bezier, bspline2, bspline3 and beta",
+                method.name()
+            ),
+            DesignError::NoMatrix => f.write_str("a Hermite matrix has 4 rows of 4"),
+            DesignError::Outside(number, place) => {
+                write!(f, "point {number} at {place:?} lies outside of what the editor shows")
+            }
+            DesignError::TooMany(count) => {
+                write!(f, "{count} control points; there may be {MAX_POINTS} at most")
+            }
+            DesignError::OtherNet { wanted, found } => {
+                write!(f, "this is the net of {found} files; this program takes nets of {wanted} files")
+            }
+            DesignError::NetSize { found: [rows, columns], least: [k, l], most } => write!(
+                f,
+                "a net of {rows} x {columns} points; there must be {k} x {l} to {most} x {most}, of coordinates up to a million"
+            ),
+            DesignError::Geometry(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for DesignError {}

@@ -1,0 +1,141 @@
+//! Which curve or surface a document describes, and the named edits that change it.
+//!
+//! A design is control points *and* the recipe: method, closure, parameters, shapes of joints. It is what the
+//! editors change, undo, keep and save, and what `sample` and `render` draw. No pixels and no words here.
+
+mod edit;
+mod error;
+pub mod fourier;
+mod net;
+pub mod nets;
+mod sketch;
+
+pub use edit::{Edit, Place};
+pub use error::DesignError;
+pub use net::{Index, NetDesign, Part};
+pub use sketch::Sketch;
+
+use crate::file::{CurveSettings, Document, Format, Method, NetSettings};
+use crate::geometry::{Closure, ParamCurve, Surface};
+
+/// What a document describes.
+#[derive(Debug)]
+pub enum Design {
+    /// A curve by control points of the plane.
+    Plane(Sketch<2>),
+    /// A curve by control points in space.
+    Space(Sketch<3>),
+    /// A curve by Fourier coefficients.
+    Fourier(Box<crate::file::Fourier>),
+    /// A surface by a control net.
+    Net(NetDesign),
+}
+
+/// A curve or a surface.
+#[derive(Debug)]
+pub enum Shape {
+    /// A curve of the plane.
+    Plane(Box<dyn ParamCurve<2>>),
+    /// A curve in space.
+    Space(Box<dyn ParamCurve<3>>),
+    /// A surface.
+    Surface(Box<Surface>),
+}
+
+impl Design {
+    /// The design of a document.
+    ///
+    /// # Errors
+    /// [`DesignError::NoShape`] for a document that holds no curve and no surface.
+    pub fn of_document(document: Document) -> Result<Design, DesignError> {
+        match document {
+            Document::PlanePoints(plane) => Ok(Design::Plane(plane.into())),
+            Document::SpacePoints(space) => Ok(Design::Space(space.into())),
+            Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
+            Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
+            Document::Tangents(_) | Document::BeadWheel(_) | Document::CsangoCube(_) => {
+                Err(DesignError::NoShape)
+            }
+        }
+    }
+
+    /// The curve or surface that it describes.
+    ///
+    /// # Errors
+    /// Why there is none: no method, or what [`Sketch::curve`] and [`NetDesign::surface`] say.
+    pub fn shape(&self) -> Result<Shape, DesignError> {
+        Ok(match self {
+            Design::Plane(sketch) => Shape::Plane(sketch.curve()?),
+            Design::Space(sketch) => Shape::Space(sketch.curve()?),
+            Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
+            Design::Net(net) => Shape::Surface(Box::new(net.surface()?)),
+        })
+    }
+}
+
+/// The form that settings name; open where they name none.
+pub(crate) fn closure(settings: &CurveSettings) -> Closure {
+    if settings.closed == Some(true) { Closure::Closed } else { Closure::Open }
+}
+
+/// A document with the method that a program draws it by, where it names none.
+#[must_use]
+pub fn naming(document: Document, implied: Option<Method>) -> Document {
+    match document {
+        Document::PlanePoints(mut plane) => {
+            plane.settings.method = plane.settings.method.or(implied);
+            Document::PlanePoints(plane)
+        }
+        Document::SpacePoints(mut space) => {
+            space.settings.method = space.settings.method.or(implied);
+            Document::SpacePoints(space)
+        }
+        Document::Net(mut net) => {
+            net.settings.method = net.settings.method.or(implied);
+            Document::Net(net)
+        }
+        other => other,
+    }
+}
+
+/// What of a document is lost in files of a DOS format, by the names that JSON has for it: what differs from
+/// what is drawn without being named. `implied` is the method that the program draws by.
+pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec<String> {
+    let document = match document.clone() {
+        Document::PlanePoints(mut plane) => {
+            forget_usual(&mut plane.settings, implied);
+            Document::PlanePoints(plane)
+        }
+        Document::SpacePoints(mut space) => {
+            forget_usual(&mut space.settings, implied);
+            Document::SpacePoints(space)
+        }
+        Document::Net(mut net) => {
+            let NetSettings { method, k0, bias, tension, extended } = &mut net.settings;
+            *method = method.filter(|method| Some(*method) != implied);
+            *k0 = k0.filter(|k0| *k0 != [0.5; 2]);
+            *bias = bias.filter(|bias| *bias != [1.0; 2]);
+            *tension = tension.filter(|tension| *tension != [0.0; 2]);
+            *extended = extended.filter(|extended| *extended);
+            Document::Net(net)
+        }
+        other => other,
+    };
+    let mut lost = document.settings();
+    if let Document::PlanePoints(plane) = &document {
+        let joints = plane.joints.iter().map(|_| "joints");
+        let tangents = plane.tangents.iter().filter(|_| format == Format::Ip2).map(|_| "tangents");
+        lost.extend(joints.chain(tangents).map(str::to_owned));
+    }
+    lost
+}
+
+/// Takes out of settings what is drawn without being named.
+fn forget_usual(settings: &mut CurveSettings, implied: Option<Method>) {
+    let CurveSettings { method, closed, k0, bias, tension } = settings;
+    *method = method.filter(|method| Some(*method) != implied);
+    *closed = closed.filter(|closed| *closed);
+    *k0 = k0.filter(|k0| *k0 != 0.5);
+    *bias = bias.filter(|bias| *bias != 1.0);
+    *tension = tension.filter(|tension| *tension != 0.0);
+}

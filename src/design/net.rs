@@ -1,0 +1,264 @@
+//! A surface by a control net, with its recipe.
+
+use super::DesignError;
+use crate::file::{Method, Net, NetKind, NetSettings};
+use crate::geometry::{Border, Method as Formula, Point, Scheme, Surface, Topology};
+
+/// What part of a Hermite matrix a change is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A control point; for the Hermite patch a corner.
+    Place,
+    /// The derivative by u in a corner.
+    TangentU,
+    /// The derivative by v.
+    TangentV,
+    /// The mixed derivative.
+    Twist,
+}
+
+impl Part {
+    /// Every part.
+    pub const ALL: [Part; 4] = [Part::Place, Part::Twist, Part::TangentU, Part::TangentV];
+
+    /// Where it stands in the matrix (3.17), from the corner's place.
+    fn offset(self) -> [usize; 2] {
+        match self {
+            Part::Place => [0, 0],
+            Part::TangentU => [2, 0],
+            Part::TangentV => [0, 2],
+            Part::Twist => [2, 2],
+        }
+    }
+}
+
+/// The place of a control point: k counts in the direction of u, l in that of v.
+pub type Index = [usize; 2];
+
+/// A control net, and how the surface follows it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NetDesign {
+    /// The net with method and parameters. Row k is the points of constant u, all of the same number.
+    pub net: Net,
+    /// The method where the net names none.
+    pub implied: Method,
+}
+
+/// The largest net of an editor: JSON files may hold more than the 8 x 5 of the DOS files.
+const MOST: usize = 64;
+/// The largest coordinate of an editor.
+const FARTHEST: f64 = 1e6;
+
+impl NetDesign {
+    /// A net with the method that its kind implies.
+    pub fn new(net: Net) -> NetDesign {
+        let implied = match net.kind {
+            NetKind::Fhc => Method::Hermite,
+            NetKind::Fps | NetKind::Fem | NetKind::Zms | NetKind::Zys => Method::Spline,
+            NetKind::Fpb => Method::Bezier,
+            NetKind::Fbs | NetKind::Zmb | NetKind::Zyb => Method::BSpline3,
+            NetKind::Zyp => Method::Beta,
+        };
+        NetDesign { net, implied }
+    }
+
+    /// The method that the surface follows the net by.
+    pub fn method(&self) -> Method {
+        self.net.settings.method.unwrap_or(self.implied)
+    }
+
+    /// Bias along u and v.
+    pub fn bias(&self) -> [f64; 2] {
+        self.net.settings.bias.unwrap_or([1.0; 2])
+    }
+
+    /// Tension along u and v.
+    pub fn tension(&self) -> [f64; 2] {
+        self.net.settings.tension.unwrap_or([0.0; 2])
+    }
+
+    /// Coefficient of the tangents along u and v.
+    pub fn k0(&self) -> [f64; 2] {
+        self.net.settings.k0.unwrap_or([0.5; 2])
+    }
+
+    /// Where a cubic B-spline ends.
+    pub fn border(&self) -> Border {
+        if self.net.settings.extended == Some(true) { Border::Reached } else { Border::Doubled }
+    }
+
+    /// The design with other settings.
+    #[must_use]
+    pub fn with_settings(&self, change: impl FnOnce(&mut NetSettings)) -> NetDesign {
+        let mut design = self.clone();
+        change(&mut design.net.settings);
+        design
+    }
+
+    /// How the surface is woven; `None` for the Hermite patch, which is no matter of weights.
+    ///
+    /// # Errors
+    /// A method that the net has not what it takes for.
+    pub fn scheme(&self) -> Result<Option<Scheme>, DesignError> {
+        let method = self.method();
+        match (method, self.net.kind) {
+            (Method::Hermite, NetKind::Fhc) => return Ok(None),
+            (_, NetKind::Fhc) => return Err(DesignError::OnlyHermite),
+            (Method::Hermite, _) => return Err(DesignError::Needs(method)),
+            (Method::Coons | Method::Fourier, _) => return Err(DesignError::ForCurves(method)),
+            _ => {}
+        }
+        let (k0, bias, tension) = (self.k0(), self.bias(), self.tension());
+        let along = |d: usize| -> Result<Formula, DesignError> {
+            method.with(k0[d], bias[d], tension[d]).ok_or(DesignError::Needs(method))
+        };
+        let topology = self.net.kind.topology();
+        Ok(Some(Scheme { u: along(0)?, v: along(1)?, topology, border: self.border() }))
+    }
+
+    /// The surface as the book draws it, or extended to its borders.
+    ///
+    /// # Errors
+    /// Those of [`NetDesign::scheme`], and of the geometry.
+    pub fn surface(&self) -> Result<Surface, DesignError> {
+        Ok(match self.scheme()? {
+            Some(scheme) => Surface::new(scheme, &self.net.points)?,
+            None => Surface::hermite(&self.matrix()?)?,
+        })
+    }
+
+    /// The surface as a model: that of a sphere is led to its poles, where the book's cubic B-spline leaves
+    /// holes.
+    ///
+    /// # Errors
+    /// As [`NetDesign::surface`].
+    pub fn solid(&self) -> Result<Surface, DesignError> {
+        match self.scheme()? {
+            Some(scheme) if scheme.topology == Topology::Sphere => {
+                Ok(Surface::new(Scheme { border: Border::Reached, ..scheme }, &self.net.points)?)
+            }
+            _ => self.surface(),
+        }
+    }
+
+    /// The matrix of a Hermite net, which JSON may hold in another size.
+    fn matrix(&self) -> Result<[[Point<3>; 4]; 4], DesignError> {
+        let rows: Option<Vec<[Point<3>; 4]>> =
+            self.net.points.iter().map(|row| row.as_slice().try_into().ok()).collect();
+        rows.and_then(|rows| rows.try_into().ok()).ok_or(DesignError::NoMatrix)
+    }
+
+    /// Whether the net is the matrix of a Hermite patch.
+    fn is_matrix(&self) -> bool {
+        self.net.kind == NetKind::Fhc
+    }
+
+    /// The numbers of rows and of points in a row.
+    pub fn shape(&self) -> [usize; 2] {
+        [self.net.points.len(), self.net.points.first().map_or(0, Vec::len)]
+    }
+
+    /// How many control points can be chosen in each direction.
+    pub fn choices(&self) -> [usize; 2] {
+        if self.is_matrix() { [2, 2] } else { self.shape() }
+    }
+
+    /// The places that can be chosen.
+    pub fn indices(&self) -> impl Iterator<Item = Index> + use<> {
+        let [rows, columns] = self.choices();
+        (0..columns).flat_map(move |l| (0..rows).map(move |k| [k, l]))
+    }
+
+    /// A control point.
+    pub fn point(&self, index: Index) -> Option<Point<3>> {
+        self.part(index, Part::Place)
+    }
+
+    /// A part of a control point.
+    pub fn part(&self, [k, l]: Index, part: Part) -> Option<Point<3>> {
+        let [down, right] = part.offset();
+        self.net.points.get(k + down)?.get(l + right).copied()
+    }
+
+    /// The design with another value for a part of a control point. A pole is one point in all rows.
+    #[must_use]
+    pub fn with_part(&self, [k, l]: Index, part: Part, value: Point<3>) -> NetDesign {
+        let mut design = self.clone();
+        let [down, right] = part.offset();
+        let [rows, columns] = self.shape();
+        let pole = self.net.kind.topology() == Topology::Sphere && (l == 0 || l + 1 == columns);
+        let rows = if pole { 0..rows } else { k + down..k + down + 1 };
+        for row in rows {
+            if let Some(point) = design.net.points.get_mut(row).and_then(|row| row.get_mut(l + right)) {
+                *point = value;
+            }
+        }
+        design
+    }
+
+    /// The design with a control point moved; where only heights change, only that.
+    #[must_use]
+    pub fn moved(&self, index: Index, to: Point<3>) -> NetDesign {
+        let Some([x, y, _]) = self.point(index) else { return self.clone() };
+        let to = to.map(|value| value.clamp(-FARTHEST, FARTHEST));
+        let to = if self.net.kind == NetKind::Fem { [x, y, to[2]] } else { to };
+        self.with_part(index, Part::Place, to)
+    }
+
+    /// The design mirrored in the plane where an axis is zero: 0 is x, 1 is y, 2 is z.
+    #[must_use]
+    pub fn mirrored(&self, axis: usize) -> NetDesign {
+        let mut design = self.clone();
+        for value in design.net.points.iter_mut().flatten().filter_map(|point| point.get_mut(axis)) {
+            // Adding zero makes a negative zero positive.
+            *value = -*value + 0.0;
+        }
+        design
+    }
+
+    /// The design, if an editor can show it. Poles that a file in single precision has apart by rounding become one
+    /// point.
+    ///
+    /// # Errors
+    /// [`DesignError::NetSize`].
+    pub fn fitting(self) -> Result<NetDesign, DesignError> {
+        let (kind, shape) = (self.net.kind, self.shape());
+        let fewest = if kind.topology() == Topology::Open { 2 } else { 3 };
+        let least = kind.shape().map(|count| count.min(fewest));
+        let fits = match self.is_matrix() {
+            true => shape == [4, 4],
+            false => shape.iter().zip(least).all(|(&count, least)| (least..=MOST).contains(&count)),
+        };
+        let points = &self.net.points;
+        let near = points.iter().flatten().flatten().all(|value| value.abs() <= FARTHEST);
+        if !fits || !near || points.iter().any(|row| row.len() != shape[1]) {
+            return Err(DesignError::NetSize { found: shape, least, most: MOST });
+        }
+        if kind.topology() != Topology::Sphere {
+            return Ok(self);
+        }
+        Ok([0, shape[1].saturating_sub(1)].iter().fold(self, |design, &l| {
+            let pole = design.point([0, l]).unwrap_or_default();
+            design.with_part([0, l], Part::Place, pole)
+        }))
+    }
+
+    /// The lines of the control net, and whether they are closed: along u, then along v.
+    pub fn polygons(&self) -> Vec<(Vec<Point<3>>, bool)> {
+        let [rows, columns] = self.choices();
+        let [closed_u, closed_v] = self.net.kind.topology().closed();
+        let line = |places: Vec<Index>| places.into_iter().filter_map(|index| self.point(index)).collect();
+        let along_u = (0..columns).map(|l| (line((0..rows).map(|k| [k, l]).collect()), closed_u));
+        let along_v = (0..rows).map(|k| (line((0..columns).map(|l| [k, l]).collect()), closed_v));
+        along_u.chain(along_v).collect()
+    }
+
+    /// The control points with their numbers, row by row, a pole only once.
+    pub fn discs(&self) -> Vec<(Index, Point<3>)> {
+        let [rows, columns] = self.choices();
+        let sphere = self.net.kind.topology() == Topology::Sphere;
+        let all = (0..rows).flat_map(|k| (0..columns).map(move |l| [k, l]));
+        let once = all.filter(|&[k, l]| !(sphere && k > 0 && (l == 0 || l + 1 == columns)));
+        once.filter_map(|index| Some((index, self.point(index)?))).collect()
+    }
+}

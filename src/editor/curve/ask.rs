@@ -1,0 +1,112 @@
+//! What the editors ask: a point's number, a number of its own, the curve's form and method.
+
+use crate::file::Method;
+use crate::machine::{Asked, Key, Stop};
+use crate::ui::words::{self, Words};
+use crate::ui::{
+    Answer, Area, Button, Caption, Desk, Field, Form, MIDDLE, Number, Picture, Question, Stay, TOP,
+};
+use std::ops::RangeInclusive;
+
+/// The largest coefficient of the tangents.
+const LARGEST_K0: f64 = 10.0;
+
+/// The fewest points that have a curve.
+pub(in crate::editor) const FEWEST: usize = 3;
+
+/// The method buttons.
+pub(in crate::editor) const METHODS: [Button; 4] = [
+    Button::new(30, 21, words::COONS),
+    Button::new(30, 38, words::BEZIER),
+    Button::new(120, 21, words::SPLINE),
+    Button::new(120, 38, words::B_SPLINE),
+];
+
+/// Asks for a point's number and gives its index; zero and less are as good as Esc.
+pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
+    let field = Field {
+        area: Area::new(330, 19, 361, 32),
+        at: (338, 22),
+        longest: 2,
+        kind: Number::Whole(0..=i32::MAX),
+    };
+    let form = Form::new(vec![Caption::new((262, 26), words::NUMBER_ENTRY)], [field]);
+    let [number] = desk.numbers(picture, &form).await?;
+    (number as usize).checked_sub(1).ok_or(Stop::Cancelled)
+}
+
+/// As [`ask_index`], but only for one of `count` points that there are. If there is none, it says so, and the
+/// command is over.
+pub(in crate::editor) async fn ask_existing(
+    desk: &mut Desk<'_>,
+    picture: &dyn Picture,
+    count: usize,
+) -> Asked<usize> {
+    if count == 0 {
+        desk.tell(words::NO_POINTS, Stay::Briefly);
+        return Err(Stop::Cancelled);
+    }
+    let index = ask_index(desk, picture).await?;
+    if index >= count {
+        desk.tell(words::no_such_point(count), Stay::Briefly);
+        return Err(Stop::Cancelled);
+    }
+    Ok(index)
+}
+
+/// Asks for one number with a fraction on the page at the top, with its caption at a place.
+pub(in crate::editor) async fn ask_real(
+    desk: &mut Desk<'_>,
+    picture: &dyn Picture,
+    (caption, at): (Words, (i32, i32)),
+    range: RangeInclusive<f64>,
+) -> Asked<f64> {
+    let field =
+        Field { area: Area::new(330, 19, 375, 32), at: (338, 22), longest: 4, kind: Number::Real(range) };
+    let form = Form::new(vec![Caption::new(at, caption)], [field]);
+    let [number] = desk.numbers(picture, &form).await?;
+    Ok(number)
+}
+
+/// Asks for the coefficient of the automatic tangents.
+pub(in crate::editor) async fn ask_coefficient(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
+    ask_real(desk, picture, (words::COEFFICIENT, (222, 23)), -LARGEST_K0..=LARGEST_K0).await
+}
+
+/// Asks whether the curve is closed.
+pub(in crate::editor) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<bool> {
+    let question = Question::new(TOP, words::ASK_SHAPE, [words::OPEN, words::CLOSED]);
+    Ok(match desk.ask(picture, &question).await? {
+        Answer::First => false,
+        Answer::Second => true,
+    })
+}
+
+/// Waits for a method button and asks for what the method needs: the coefficient of the tangents, if any.
+pub(in crate::editor) async fn ask_method(
+    desk: &mut Desk<'_>,
+    picture: &dyn Picture,
+) -> Asked<(Method, Option<f64>)> {
+    loop {
+        let tick = desk.event(picture).await?;
+        let clicked = tick.click().and_then(|(x, y)| METHODS.iter().find(|button| button.hit(x, y)));
+        match clicked.map(|button| button.text.letter).or(tick.letter()) {
+            Some('1') => {
+                return Ok((Method::Coons, Some(ask_coefficient(desk, picture).await?)));
+            }
+            Some('2') => return Ok((Method::Bezier, None)),
+            Some('3') => return Ok((Method::Spline, None)),
+            Some('4') => return Ok((ask_degree(desk, picture).await?, None)),
+            _ if tick.pressed(Key::Esc) => return Err(Stop::Cancelled),
+            _ => {}
+        }
+    }
+}
+
+pub(in crate::editor) async fn ask_degree(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Method> {
+    let question = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]);
+    Ok(match desk.ask(picture, &question).await? {
+        Answer::First => Method::BSpline2,
+        Answer::Second => Method::BSpline3,
+    })
+}

@@ -1,0 +1,51 @@
+//! The beta-spline's shape in the curve editors (chapter 2.3.7): its bias and tension, the buttons and
+//! questions that change them, and their display.
+
+use super::ask::ask_real;
+use crate::geometry::Shape;
+use crate::machine::{Asked, Language};
+use crate::screen::{Color, Screen};
+use crate::ui::{Desk, Picture, words};
+use std::ops::RangeInclusive;
+
+/// What the bias may be.
+pub(in crate::editor) const BIAS: RangeInclusive<f64> = 0.05..=20.0;
+/// What the tension may be: four characters can be typed, and nothing is too much.
+pub(in crate::editor) const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
+
+/// Asks for the bias.
+pub(in crate::editor) async fn ask_bias(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
+    ask_real(desk, picture, (words::BIAS_ENTRY, (232, 26)), BIAS).await
+}
+
+/// Asks for the tension.
+pub(in crate::editor) async fn ask_tension(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
+    ask_real(desk, picture, (words::TENSION_ENTRY, (232, 26)), TENSION).await
+}
+
+/// Writes the two values above and below their buttons.
+pub(in crate::editor) fn draw_values(screen: &mut Screen, shape: Shape, language: Language) {
+    screen.bar(75, 2, 155, 17, Color::LightCyan);
+    screen.bar(110, 37, 200, 52, Color::LightCyan);
+    let line = |name: words::Words, value: f64| format!("{}{}", name.of(language), shown(value));
+    screen.text(20, 5, &line(words::BIAS_VALUE, shape.bias), Color::Black);
+    screen.text(35, 40, &line(words::TENSION_VALUE, shape.tension), Color::Black);
+}
+
+/// A value with two decimals, or with an exponent where that would not fit.
+fn shown(value: f64) -> String {
+    if value.abs() < 1e5 { format!("{value:.2}") } else { format!("{value:e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_fit_beside_the_page() {
+        for (value, expected) in [(1.0, "1.00"), (-31.0, "-31.00"), (9e99, "9e99"), (-1e9, "-1e9")] {
+            assert_eq!(shown(value), expected);
+        }
+        assert_eq!(Shape::default().method().check(), Ok(()));
+    }
+}

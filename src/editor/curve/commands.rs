@@ -1,0 +1,123 @@
+//! The commands of the curve editors that ask for something, and what stands beside the communication page.
+
+use super::ask::{FEWEST, METHODS, ask_closure, ask_method};
+use super::tables::Action;
+use super::{Ambient, Curves, Tools, beta};
+use crate::design::Place;
+use crate::editor::picture::Page;
+use crate::editor::stage::Stage;
+use crate::editor::{Editor, refusal};
+use crate::geometry::Point;
+use crate::machine::Asked;
+use crate::screen::Color;
+use crate::ui::words;
+use crate::ui::{Desk, Stay};
+use crate::work::{Next, quit};
+use serde::Serialize;
+
+impl<const D: usize> Editor<Curves<D>, D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
+    /// Carries out a command. After some of them the original offers automatic tangents.
+    pub(super) async fn carry_out(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
+        use Action::{Change, Choose, Delete, Insert, Result as Show};
+        self.craft.offer_tangents = matches!(action, Insert | Change | Delete | Choose | Show);
+        match action {
+            Action::Insert => self.insert(desk).await?,
+            Action::Change => self.change_point(desk).await?,
+            Action::Delete => self.delete(desk).await?,
+            Action::Choose => self.choose_curve(desk).await?,
+            Action::Result => self.show_result(desk).await?,
+            Action::Bias => {
+                let bias = beta::ask_bias(desk, self).await?;
+                self.reshape(desk, self.history.now().with_shape(|shape| shape.bias = bias));
+            }
+            Action::Tension => {
+                let tension = beta::ask_tension(desk, self).await?;
+                self.reshape(desk, self.history.now().with_shape(|shape| shape.tension = tension));
+            }
+            Action::Follow => self.toggle_follow(desk),
+            Action::Compare => self.compare(desk).await?,
+            Action::Workshop => Curves::<D>::smooth(self, desk).await?,
+            Action::ShapeJoint => self.change_joint(desk).await?,
+            Action::JointsAlike => self.make_joints_alike(desk),
+            Action::Quit => {
+                let next = quit(self, desk).await?;
+                if Curves::<D>::STORE.is_none() {
+                    self.shown.after_change();
+                }
+                return Ok(next);
+            }
+        }
+        Ok(Next::Work)
+    }
+
+    /// The command G: the curve's form and method.
+    async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+        if self.count() < FEWEST {
+            desk.tell(words::TOO_FEW, Stay::Briefly);
+            return Ok(());
+        }
+        self.stage = Stage::Choosing;
+        self.forget_note();
+        let mut sketch = self.history.now().clone();
+        sketch.settings.closed = Some(ask_closure(desk, self).await?);
+        let mut note = None;
+        match self.craft.tools.implied() {
+            // The method is the program's; what else the document has named, gives way to it.
+            Some(method) => sketch.settings.method = sketch.settings.method.map(|_| method),
+            None => {
+                let (method, k0) = ask_method(desk, self).await?;
+                sketch.settings.method = Some(method);
+                sketch.settings.k0 = k0.or(sketch.settings.k0);
+                note = k0.map(|k0| format!("k0 = {k0:.2}"));
+            }
+        }
+        let method = sketch.method().or(self.craft.tools.implied());
+        if let Some(Err(error)) = method.map(|method| sketch.by(method).curve()) {
+            if Curves::<D>::STORE.is_none() {
+                self.shown.take(false);
+            }
+            desk.tell(refusal::of_curve(&error), Stay::UntilRead);
+            return Ok(());
+        }
+        self.history.change(sketch);
+        self.shown.take(true);
+        self.craft.note = note.or(self.craft.note.take());
+        Ok(())
+    }
+
+    /// The key F3: lets the curve follow changes or not, and says so.
+    fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
+        let shown = &mut self.shown;
+        shown.follow = !shown.follow;
+        shown.visible = shown.follow && shown.known;
+        desk.tell(if shown.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
+    }
+
+    /// What stands left of the communication page and on it.
+    pub(super) fn draw_titles(&self, page: &mut Page<'_>) {
+        let note = self.craft.note.as_deref().unwrap_or("");
+        let language = page.language;
+        match self.craft.tools {
+            Tools::Methods => {
+                let chosen = self.stage == Stage::Choosing;
+                let color = if chosen { Color::LightMagenta } else { Color::Black };
+                page.screen.text(28, 5, words::METHOD_TITLE.of(language), color);
+                page.screen.text(262, 23, note, Color::Black);
+                if note.is_empty() {
+                    self.draw_names(page, (216, 10), Color::Black);
+                }
+                METHODS.iter().for_each(|button| button.draw(page.screen, language));
+            }
+            Tools::Tangents => {
+                page.screen.text(20, 20, words::COONS_TITLE.of(language), Color::Black);
+                page.screen.text(134, 10, words::COONS_ACCENTS.of(language), Color::Black);
+                page.screen.text(65, 43, note, Color::Black);
+            }
+            Tools::Beta => beta::draw_values(page.screen, self.history.now().shape(), language),
+        }
+    }
+}

@@ -1,0 +1,525 @@
+//! The editors of curves, in the plane and in space: control points, dragged, numbered, inserted and deleted, and
+//! the curves through them or near them (chapters 2.3.1 to 2.3.8).
+//!
+//! Five programs are this editor with [`Tools`] of their own. In the plane new points are dragged out of a store.
+
+pub(super) mod ask;
+pub(super) mod beta;
+mod commands;
+mod compare;
+mod joints;
+mod points;
+mod tables;
+mod tangents;
+mod workshop;
+
+pub use tables::{BETA_KEYS, METHOD_KEYS, SPACE_BETA_KEYS, SPACE_METHOD_KEYS, TANGENT_KEYS};
+
+use super::field::on_disc;
+use super::lens::{Field, Held, Lens};
+use super::look::{Look, Poles, Viewer};
+use super::picture::{Layer, Page};
+use super::refusal;
+use super::seen::{Item, TIP_RADIUS};
+use super::stage::Stage;
+use super::{Craft, Editor};
+use crate::design::{Edit, Place, Sketch};
+use crate::file::{Document, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
+use crate::geometry::{Closure, Point};
+use crate::machine::Asked;
+use crate::screen::Color;
+use crate::ui::words::{self, Phrase, Words};
+use crate::ui::{Answer, Commands, Desk, Manual, Question, Start, Stay};
+use crate::work::Next;
+use ask::FEWEST;
+use compare::Kind;
+use serde::Serialize;
+use tables::Action;
+
+/// The curves that a program offers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tools {
+    /// Coons-Hermite, Bézier, spline, quadratic and cubic B-spline.
+    Methods,
+    /// Coons-Hermite curves with tangents of the user's own.
+    Tangents,
+    /// The beta-spline with bias and tension.
+    Beta,
+}
+
+impl Tools {
+    /// The method that the program draws by, if it has only one.
+    fn implied(self) -> Option<Method> {
+        match self {
+            Tools::Methods => None,
+            Tools::Tangents => Some(Method::Hermite),
+            Tools::Beta => Some(Method::Beta),
+        }
+    }
+}
+
+/// Makes the editor of plane curves ready, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn plane(manual: Manual, tools: Tools, document: Option<Document>) -> Result<Start, Phrase> {
+    super::start(Curves::<2>::new(tools), manual, document)
+}
+
+/// Makes the editor of curves in space ready, with a document that was named at the start or none.
+///
+/// # Errors
+/// Why it cannot work with the document.
+pub fn space(manual: Manual, tools: Tools, document: Option<Document>) -> Result<Start, Phrase> {
+    super::start(Curves::<3>::new(tools), manual, document)
+}
+
+/// What the editors of curves have of their own.
+struct Curves<const D: usize> {
+    tools: Tools,
+    /// Curves that are shown besides the chosen one.
+    compared: Vec<Kind>,
+    /// Whether the points are looked at as measured ones: an open row, without the chosen curve.
+    measured: bool,
+    /// The point that is about to be changed.
+    pointed_out: Option<usize>,
+    /// What the screen says about the last choice until the next question.
+    note: Option<String>,
+    /// Whether something happened after which the original offers automatic tangents.
+    offer_tangents: bool,
+}
+
+impl<const D: usize> Curves<D> {
+    fn new(tools: Tools) -> Curves<D> {
+        Curves {
+            tools,
+            compared: Vec::new(),
+            measured: false,
+            pointed_out: None,
+            note: None,
+            offer_tangents: false,
+        }
+    }
+}
+
+/// What differs between the plane and space.
+trait Ambient<const D: usize>: Sized {
+    type Lens: Lens<D> + 'static;
+    /// From where new points are taken.
+    const STORE: Option<Point<D>>;
+    /// What the discs of control points are filled with.
+    const FILL: Color;
+    /// Whether a curve that has gone comes back while a point is held.
+    const LIVE: bool;
+    fn lens() -> Self::Lens;
+    fn format(tools: Tools) -> Format;
+    fn commands(tools: Tools) -> Commands<Action>;
+    /// The sketch of a document of this kind.
+    fn sketch(document: &Document) -> Result<Sketch<D>, Words>;
+    fn document(sketch: Sketch<D>) -> Document;
+    async fn ask_place(editor: &Editor<Curves<D>, D>, desk: &mut Desk<'_>) -> Asked<Point<D>>
+    where
+        Curves<D>: Craft<D>;
+    /// Changes the tangent at a point, where there are tangents.
+    async fn change_tangent(_: &mut Editor<Curves<D>, D>, _: &mut Desk<'_>, _: usize) -> Asked<()>
+    where
+        Curves<D>: Craft<D>,
+    {
+        Ok(())
+    }
+    /// Smooths the points as measured ones, where that is offered.
+    async fn smooth(_: &mut Editor<Curves<D>, D>, _: &mut Desk<'_>) -> Asked<()>
+    where
+        Curves<D>: Craft<D>,
+    {
+        Ok(())
+    }
+    /// Azimuth, elevation and zoom, where there are any.
+    fn angles(_: &Self::Lens) -> Option<[f64; 3]> {
+        None
+    }
+    /// What stands in the picture and on the frame.
+    fn draw(editor: &Editor<Curves<D>, D>, layer: Layer, page: &mut Page<'_>)
+    where
+        Curves<D>: Craft<D>;
+}
+
+/// What the mouse can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Handle {
+    /// A control point; the one behind the last is the store's.
+    Point(usize),
+    /// The tip of the tangent at a point.
+    Tip(usize),
+}
+
+/// The model as `dump` writes it. Angles are in degrees.
+#[derive(Serialize)]
+struct Model<P> {
+    points: Vec<P>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tangents: Option<Vec<P>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    joints: Option<Vec<crate::geometry::Shape>>,
+    bias: f64,
+    tension: f64,
+    method: Option<&'static str>,
+    closed: Option<bool>,
+    k0: f64,
+    visible: bool,
+    compared: Vec<Kind>,
+    unsaved: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    azimuth: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    elevation: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    zoom: Option<f64>,
+}
+
+/// Steps that a span is drawn in, as fine as the original's.
+fn steps(method: Method) -> usize {
+    match method {
+        Method::Bezier => 100,
+        Method::Beta => 500,
+        Method::Hermite => 20,
+        _ => 50,
+    }
+}
+
+impl<const D: usize> Craft<D> for Curves<D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
+    type Value = Sketch<D>;
+    type Handle = Handle;
+    type Lens = <Curves<D> as Ambient<D>>::Lens;
+    type Action = Action;
+
+    fn format(&self) -> Format {
+        <Self as Ambient<D>>::format(self.tools)
+    }
+
+    fn commands(&self) -> Commands<Action> {
+        <Self as Ambient<D>>::commands(self.tools)
+    }
+
+    fn lens(&self) -> Self::Lens {
+        <Self as Ambient<D>>::lens()
+    }
+
+    /// Without points; the parameters survive, as in the original.
+    fn fresh(&self, before: Option<&Sketch<D>>) -> Sketch<D> {
+        let mut sketch = Sketch::default();
+        sketch.tangents = (self.tools == Tools::Tangents).then(Vec::new);
+        if let Some(before) = before {
+            let settings = before.settings;
+            sketch.settings.k0 = settings.k0;
+            (sketch.settings.bias, sketch.settings.tension) = (settings.bias, settings.tension);
+        }
+        sketch
+    }
+
+    fn of_document(
+        &self,
+        document: &Document,
+        before: &Sketch<D>,
+    ) -> Result<(Sketch<D>, Option<Phrase>), Phrase> {
+        let sketch = <Self as Ambient<D>>::sketch(document)?;
+        let mut sketch = sketch.fitting().map_err(|error| refusal::of_curve(&error))?;
+        sketch.settings.bias = sketch.settings.bias.or(before.settings.bias);
+        sketch.settings.tension = sketch.settings.tension.or(before.settings.tension);
+        if self.tools != Tools::Tangents || sketch.tangents.is_some() {
+            return Ok((sketch, None));
+        }
+        let none = Sketch { tangents: Some(vec![[0.0; D]; sketch.points.len()]), ..sketch.clone() };
+        let sketch = sketch.with_automatic_tangents(sketch.closure()).unwrap_or(none);
+        Ok((sketch, Some(words::NO_TANGENTS.into())))
+    }
+
+    fn document(&self, sketch: &Sketch<D>) -> Document {
+        <Self as Ambient<D>>::document(sketch.clone())
+    }
+
+    fn implied(&self) -> Option<Method> {
+        self.tools.implied()
+    }
+
+    fn names_shape(&self, sketch: &Sketch<D>) -> bool {
+        let named = sketch.settings.method.is_some() || sketch.settings.closed.is_some();
+        named && self.curve(sketch).is_some()
+    }
+
+    fn model(editor: &Editor<Self, D>) -> impl Serialize + 'static {
+        let sketch = editor.history.now();
+        let [azimuth, elevation, zoom] = match <Self as Ambient<D>>::angles(&editor.lens) {
+            Some(angles) => angles.map(Some),
+            None => [None; 3],
+        };
+        let known = |method: Method| if method == Method::Hermite { "coons" } else { method.name() };
+        Model {
+            points: sketch.points.clone(),
+            tangents: sketch.tangents.clone(),
+            joints: sketch.joints.clone(),
+            bias: sketch.shape().bias,
+            tension: sketch.shape().tension,
+            method: editor.method().filter(|_| editor.shown.known).map(known),
+            closed: editor.shown.known.then(|| sketch.closure() == Closure::Closed),
+            k0: sketch.k0(),
+            visible: editor.shown.visible,
+            compared: editor.craft.compared.clone(),
+            unsaved: editor.history.unsaved(),
+            azimuth,
+            elevation,
+            zoom,
+        }
+    }
+
+    fn place(sketch: &Sketch<D>, handle: Handle) -> Option<Point<D>> {
+        match handle {
+            Handle::Point(index) => sketch.points.get(index).copied().or(Self::STORE),
+            Handle::Tip(index) => sketch.tip(index),
+        }
+    }
+
+    /// A point outside the field goes.
+    fn moved(sketch: &Sketch<D>, handle: Handle, at: Point<D>) -> Sketch<D> {
+        let count = sketch.points.len();
+        match (handle, at.fits()) {
+            (Handle::Point(index), true) if index < count => sketch.edited(Edit::Move(index, at)),
+            (Handle::Point(index), false) if index < count && Self::STORE.is_some() => {
+                sketch.edited(Edit::Delete(index))
+            }
+            (Handle::Point(index), false) if index < count => sketch.edited(Edit::Move(index, at)),
+            (Handle::Point(index), true) => sketch.edited(Edit::Insert(index, at)),
+            (Handle::Point(_), false) => sketch.clone(),
+            (Handle::Tip(index), _) => sketch.with_tip(index, at),
+        }
+    }
+
+    /// Points before tips; the store's point is the one behind the last.
+    fn handle_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Handle> {
+        let (sketch, lens) = (editor.history.now(), &editor.lens);
+        if Self::STORE.is_some_and(|store| on_disc(lens.pixel(store), at)) && !sketch.full() {
+            return Some(Handle::Point(sketch.points.len()));
+        }
+        let under = |&index: &usize| sketch.points.get(index).is_some_and(|&it| on_disc(lens.pixel(it), at));
+        let order = lens.order(&sketch.points);
+        let on_tip = |&index: &usize| {
+            sketch.tip(index).is_some_and(|tip| {
+                let (x, y) = lens.pixel(tip);
+                (x - at.0).pow(2) + (y - at.1).pow(2) <= TIP_RADIUS.pow(2)
+            })
+        };
+        let point = order.iter().rev().copied().find(under);
+        point.map(Handle::Point).or_else(|| order.iter().rev().copied().find(on_tip).map(Handle::Tip))
+    }
+
+    fn seen(editor: &Editor<Self, D>) -> Vec<Item<D>> {
+        let mut items = editor.curves_seen();
+        editor.add_points(&mut items);
+        items
+    }
+
+    fn forget(editor: &mut Editor<Self, D>) {
+        let ready = editor.count() >= FEWEST;
+        let craft = &mut editor.craft;
+        (craft.pointed_out, craft.note) = (None, None);
+        craft.offer_tangents = craft.tools == Tools::Tangents && ready;
+    }
+
+    async fn before_event(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<()> {
+        if std::mem::take(&mut editor.craft.offer_tangents) {
+            crate::work::keep(editor, desk);
+            editor.offer_automatic_tangents(desk).await?;
+        }
+        Ok(())
+    }
+
+    async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
+        editor.carry_out(desk, action).await
+    }
+
+    async fn dropped(
+        editor: &mut Editor<Self, D>,
+        desk: &mut Desk<'_>,
+        held: Held<Handle, D>,
+        moved: Sketch<D>,
+    ) -> Asked<()> {
+        if editor.history.now().full() && held.handle == Handle::Point(editor.count()) {
+            desk.tell(words::FULL, Stay::Briefly);
+        }
+        editor.history.change(moved);
+        editor.shown.after_change();
+        if Self::STORE.is_some() {
+            editor.forget_note();
+        }
+        editor.craft.offer_tangents = true;
+        Ok(())
+    }
+
+    fn problem(editor: &Editor<Self, D>) -> Option<Phrase> {
+        let sketch = editor.history.now();
+        let parameters = sketch.check_parameters().map_err(Into::into);
+        let checked = match editor.shown.known {
+            true => editor.drawn().curve().map(|_| ()),
+            false => parameters,
+        };
+        checked.err().map(|error| refusal::of_curve(&error))
+    }
+
+    fn reshaped(editor: &mut Editor<Self, D>, _: &mut Desk<'_>) {
+        editor.shown.after_change();
+    }
+
+    async fn begin_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<bool> {
+        if !editor.shown.known || editor.method().is_none() {
+            desk.tell(words::NO_CURVE, Stay::Briefly);
+            return Ok(false);
+        }
+        if editor.count() < FEWEST {
+            let missing = if Self::STORE.is_some() { words::NO_CURVE } else { words::TOO_FEW };
+            desk.tell(missing, Stay::Briefly);
+            return Ok(false);
+        }
+        if let Err(error) = editor.drawn().curve() {
+            desk.tell(refusal::of_curve(&error), Stay::UntilRead);
+            return Ok(false);
+        }
+        let answer = desk.ask(editor, &Question::yes_no(words::ASK_POINTS)).await?;
+        editor.stage = Stage::Result { points: answer == Answer::First };
+        Ok(true)
+    }
+
+    /// As in the original, the curve is gone from the editor's picture after this.
+    async fn end_result(editor: &mut Editor<Self, D>, _: &mut Desk<'_>) -> Asked<()> {
+        editor.shown.after_change();
+        editor.forget_note();
+        Ok(())
+    }
+
+    fn draw(editor: &Editor<Self, D>, layer: Layer, page: &mut Page<'_>) {
+        match layer {
+            Layer::Over => editor.draw_joint_shapes(page),
+            Layer::Titles => editor.draw_titles(page),
+            Layer::Legend => editor.draw_names(page, (400, 5), Color::LightGray),
+            _ => <Self as Ambient<D>>::draw(editor, layer, page),
+        }
+    }
+}
+
+impl<const D: usize> Curves<D> {
+    /// The sketch as the program draws it, if there is a curve.
+    fn curve(&self, sketch: &Sketch<D>) -> Option<Sketch<D>> {
+        let method = sketch.method().or(self.tools.implied())?;
+        Some(sketch.by(method)).filter(|sketch| sketch.curve().is_ok())
+    }
+}
+
+impl Ambient<2> for Curves<2> {
+    type Lens = Field;
+    const STORE: Option<Point<2>> = Some([577.0, 360.0]);
+    const FILL: Color = Color::DarkGray;
+    const LIVE: bool = false;
+
+    fn lens() -> Field {
+        Field
+    }
+
+    fn format(tools: Tools) -> Format {
+        if tools == Tools::Tangents { Format::Ic2 } else { Format::Ip2 }
+    }
+
+    fn commands(tools: Tools) -> Commands<Action> {
+        match tools {
+            Tools::Methods => tables::METHODS,
+            Tools::Tangents => tables::TANGENTS,
+            Tools::Beta => tables::BETA,
+        }
+    }
+
+    fn sketch(document: &Document) -> Result<Sketch<2>, Words> {
+        match document {
+            Document::PlanePoints(plane) => Ok(PlanePoints::clone(plane).into()),
+            _ => Err(words::WRONG_CONTENT),
+        }
+    }
+
+    fn document(sketch: Sketch<2>) -> Document {
+        sketch.into()
+    }
+
+    async fn ask_place(editor: &Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<Point<2>> {
+        points::ask_place_in_field(editor, desk).await
+    }
+
+    async fn change_tangent(
+        editor: &mut Editor<Curves<2>, 2>,
+        desk: &mut Desk<'_>,
+        index: usize,
+    ) -> Asked<()> {
+        editor.change_tangent(desk, index).await
+    }
+
+    async fn smooth(editor: &mut Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<()> {
+        editor.open_workshop(desk).await
+    }
+
+    fn draw(_: &Editor<Curves<2>, 2>, layer: Layer, page: &mut Page<'_>) {
+        if layer == Layer::Under {
+            page.screen.text(607, 67, words::STORE.of(page.language), Color::White);
+        }
+    }
+}
+
+impl Ambient<3> for Curves<3> {
+    type Lens = Viewer;
+    const STORE: Option<Point<3>> = None;
+    const FILL: Color = Color::Black;
+    const LIVE: bool = true;
+
+    fn lens() -> Viewer {
+        Viewer::new(Look::new(SPACE_VIEW, Poles::Stop))
+    }
+
+    fn format(_: Tools) -> Format {
+        Format::Ip3
+    }
+
+    fn commands(tools: Tools) -> Commands<Action> {
+        if tools == Tools::Beta { tables::SPACE_BETA } else { tables::SPACE_METHODS }
+    }
+
+    fn sketch(document: &Document) -> Result<Sketch<3>, Words> {
+        match document {
+            Document::SpacePoints(space) => Ok(SpacePoints::clone(space).into()),
+            _ => Err(words::NOT_IN_SPACE),
+        }
+    }
+
+    fn document(sketch: Sketch<3>) -> Document {
+        sketch.into()
+    }
+
+    async fn ask_place(editor: &Editor<Curves<3>, 3>, desk: &mut Desk<'_>) -> Asked<Point<3>> {
+        super::place::ask_place(desk, editor, words::PLACE_3D).await
+    }
+
+    fn angles(lens: &Viewer) -> Option<[f64; 3]> {
+        Some(lens.look.angles())
+    }
+
+    /// The line under the picture: the place of the point that is held or about to be changed.
+    fn draw(editor: &Editor<Curves<3>, 3>, layer: Layer, page: &mut Page<'_>) {
+        let held = editor.held.map(|held| held.handle);
+        let (Layer::Frame, Some(Handle::Point(index))) =
+            (layer, held.or(editor.craft.pointed_out.map(Handle::Point)))
+        else {
+            return;
+        };
+        if let Some(&place) = editor.preview().points.get(index) {
+            page.screen.text(130, 470, words::place_of(index + 1, place).of(page.language), Color::Black);
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The control points and curves in the picture, and the commands that change points by their numbers.
+
+use super::ask::{ask_existing, ask_index};
+use super::compare::Kind;
+use super::{Ambient, Curves, Handle, Tools, steps};
+use crate::design::{Edit, Place, Sketch};
+use crate::editor::Editor;
+use crate::editor::lens::Lens;
+use crate::editor::picture::Page;
+use crate::editor::seen::{Item, Label};
+use crate::editor::stage::Stage;
+use crate::file::{FIELD, MAX_POINTS, Method};
+use crate::geometry::Point;
+use crate::machine::Asked;
+use crate::screen::Color;
+use crate::ui::words::{self, Words};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
+use serde::Serialize;
+
+impl<const D: usize> Editor<Curves<D>, D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
+    /// How many points there are.
+    pub(super) fn count(&self) -> usize {
+        self.history.now().points.len()
+    }
+
+    /// What the curve is drawn by.
+    pub(super) fn method(&self) -> Option<Method> {
+        self.history.now().method().or(self.craft.tools.implied())
+    }
+
+    /// The sketch as it would be if what is held were dropped now, with the method of the program.
+    pub(super) fn drawn(&self) -> Sketch<D> {
+        let sketch = self.preview();
+        match sketch.method().or(self.craft.tools.implied()) {
+            Some(method) => sketch.by(method),
+            None => sketch,
+        }
+    }
+
+    /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
+    pub(super) fn change(&mut self, sketch: Sketch<D>) {
+        self.history.change(sketch);
+        self.shown.after_edit();
+        self.forget_note();
+    }
+
+    /// Takes away what the communication page says; beside it, the coefficient of tangents stays.
+    pub(super) fn forget_note(&mut self) {
+        if self.craft.tools != Tools::Tangents {
+            self.craft.note = None;
+        }
+    }
+
+    /// The compared curves and the chosen one, with the joints of beta-splines.
+    pub(super) fn curves_seen(&self) -> Vec<Item<D>> {
+        let (mut items, sketch, result) = (Vec::new(), self.drawn(), self.stage.is_result());
+        let mut open = self.preview();
+        open.settings.closed = open.settings.closed.filter(|_| !self.craft.measured);
+        let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
+        for (index, (kind, name, color)) in compared.enumerate() {
+            // A curve that does not exist is not drawn; it was told when it was chosen. The names stand
+            // apart, each at its own part of its curve.
+            if let Ok(curve) = open.by(kind.method()).curve() {
+                let name = Some(Label { name, part: [2 * index + 1, 2 * Kind::ALL.len()] });
+                items.push(Item::Curve { curve, steps: steps(kind.method()), color, name });
+            }
+        }
+        let live = Curves::<D>::LIVE && self.held.is_some() && self.shown.known;
+        let shown = (self.shown.visible || live || result) && !self.craft.measured;
+        let Some((method, curve)) = sketch.method().filter(|_| shown).zip(sketch.curve().ok()) else {
+            return items;
+        };
+        let joints = if method == Method::Beta { curve.joints() } else { Vec::new() };
+        items.push(Item::Curve { curve, steps: steps(method), color: Color::White, name: None });
+        items.extend(joints.into_iter().map(Item::Joint));
+        items
+    }
+
+    /// The tangents, the control points with their numbers, and the next one in the store.
+    pub(super) fn add_points(&self, items: &mut Vec<Item<D>>) {
+        if self.stage == (Stage::Result { points: false }) {
+            return;
+        }
+        let sketch = self.history.now();
+        let held_at = |handle| self.held.filter(|held| held.handle == handle).map(|held| held.at);
+        for (index, &point) in sketch.points.iter().enumerate() {
+            if let Some(tip) = held_at(Handle::Tip(index)).or(sketch.tip(index)) {
+                items.push(Item::Tangent { tip, point });
+            }
+        }
+        let points: Vec<Point<D>> = (0..)
+            .zip(&sketch.points)
+            .map(|(index, &point)| held_at(Handle::Point(index)).unwrap_or(point))
+            .collect();
+        let dots = self.stage.is_result() && Curves::<D>::STORE.is_none();
+        for index in self.lens.order(&points) {
+            // The indices are those of these points.
+            let Some(&at) = points.get(index) else { continue };
+            items.push(match dots {
+                true => Item::Dot(at),
+                false => Item::Disc { at, number: index + 1, fill: Curves::<D>::FILL },
+            });
+        }
+        let stored = self.stage.begun() && !self.stage.is_result() && !sketch.full();
+        if let Some(store) = Curves::<D>::STORE.filter(|_| stored) {
+            let (at, number) = (held_at(Handle::Point(self.count())), self.count() + 1);
+            items.push(match at {
+                Some(at) if at.fits() => Item::Disc { at, number, fill: Curves::<D>::FILL },
+                at => Item::Stored { at: at.unwrap_or(store), number, fill: Curves::<D>::FILL },
+            });
+        }
+    }
+
+    /// The command B: a new point with a number and a place.
+    pub(super) async fn insert(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+        if self.history.now().full() {
+            desk.tell(words::FULL, Stay::Briefly);
+            return Ok(());
+        }
+        let index = ask_index(desk, self).await?;
+        let place = Curves::<D>::ask_place(self, desk).await?;
+        self.change(self.history.now().edited(Edit::Insert(index, place)));
+        Ok(())
+    }
+
+    /// The command V: another number or another place for a point; where there are tangents, it asks first what
+    /// of the point changes.
+    pub(super) async fn change_point(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+        let index = ask_existing(desk, self, self.count()).await?;
+        if self.history.now().tangents.is_some() && self.craft.tools == Tools::Tangents {
+            let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
+            if desk.ask(self, &what).await? == Answer::Second {
+                return Curves::<D>::change_tangent(self, desk, index).await;
+            }
+        }
+        self.craft.pointed_out = Some(index);
+        let edit = self.ask_edit(desk, index).await;
+        self.craft.pointed_out = None;
+        self.change(self.history.now().edited(edit?));
+        Ok(())
+    }
+
+    async fn ask_edit(&self, desk: &mut Desk<'_>, index: usize) -> Asked<Edit<Point<D>>> {
+        let what = Question::new(TOP, words::ASK_CHANGE, [words::NUMBER, words::PLACE]);
+        Ok(match desk.ask(self, &what).await? {
+            Answer::First => Edit::Renumber(index, ask_existing(desk, self, self.count()).await?),
+            Answer::Second => Edit::Move(index, Curves::<D>::ask_place(self, desk).await?),
+        })
+    }
+
+    /// The command T: a point goes.
+    pub(super) async fn delete(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+        let index = ask_existing(desk, self, self.count()).await?;
+        self.change(self.history.now().edited(Edit::Delete(index)));
+        Ok(())
+    }
+
+    /// The names of the compared curves in their colours, two to a line.
+    pub(super) fn draw_names(&self, page: &mut Page<'_>, (x, y): (i32, i32), ink: Color) {
+        let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
+        for (place, (_, name, color)) in (0..).zip(compared) {
+            let (x, y) = (x + 116 * (place % 2), y + 11 * (place / 2));
+            page.screen.bar(x, y, x + 12, y + 7, color);
+            page.screen.text(x + 18, y, name, ink);
+        }
+    }
+}
+
+/// Asks for a place in the field.
+pub(super) async fn ask_place_in_field(
+    editor: &Editor<Curves<2>, 2>,
+    desk: &mut Desk<'_>,
+) -> Asked<Point<2>> {
+    let field = |y: i32, largest: f64| Field {
+        area: Area::new(340, y - 2, 378, y + 10),
+        at: (348, y + 1),
+        longest: 3,
+        kind: Number::Whole(0..=largest as i32),
+    };
+    let captions = vec![
+        Caption::new((255, 23), words::PLACE_ENTRY),
+        Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
+        Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
+    ];
+    desk.numbers(editor, &Form::new(captions, [field(14, FIELD[0]), field(29, FIELD[1])])).await
+}
+
+// The prompt for a point's number has room for two digits.
+const _: () = assert!(MAX_POINTS <= 99);

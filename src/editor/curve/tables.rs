@@ -1,0 +1,123 @@
+//! The commands of the curve programs.
+
+use super::super::keys::{HOME, QUIT, SAVE, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
+use crate::machine::Key;
+use crate::ui::words::{self, Words};
+use crate::ui::{Button, Command, Commands, KeyHelp};
+
+/// What a command does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Action {
+    Insert,
+    Change,
+    Delete,
+    Choose,
+    Result,
+    Bias,
+    Tension,
+    Quit,
+    Follow,
+    Compare,
+    Workshop,
+    ShapeJoint,
+    JointsAlike,
+}
+
+type Row = Command<Action>;
+
+const DRAG: Row = Command::told((Words("egér", "mouse"), words::HELP_DRAG));
+const DRAG_TANGENT: Row = Command::told((Words("egér", "mouse"), words::HELP_DRAG_TANGENT));
+const DRAG_3D: Row = Command::told((Words("egér", "mouse"), words::HELP_DRAG_3D));
+const INSERT: Row = Command::button(
+    Button::new(460, 21, words::INSERT),
+    (Words("B", "B"), words::HELP_INSERT),
+    Action::Insert,
+);
+const CHANGE: Row = change(words::HELP_CHANGE);
+const CHANGE_TANGENT: Row = change(words::HELP_CHANGE_TANGENT);
+const DELETE: Row = Command::button(
+    Button::new(550, 21, words::DELETE),
+    (Words("T", "T"), words::HELP_DELETE),
+    Action::Delete,
+);
+const METHOD: Row = choose((Words("G 1-4", "G 1-4"), words::HELP_CURVE));
+const FORM: Row = choose((Words("G", "G"), words::HELP_CURVE_FORM));
+const RESULT: Row = Command::button(
+    Button::new(460, 38, words::RESULT),
+    (Words("E", "E"), words::HELP_RESULT),
+    Action::Result,
+);
+const BIAS: Row = Command::button(
+    Button::new(30, 21, words::BIAS_BUTTON),
+    (Words("A C", "A C"), words::HELP_SHAPE),
+    Action::Bias,
+);
+const TENSION: Row = Command::button(
+    Button::new(120, 21, words::TENSION_BUTTON),
+    (Words("C", "C"), words::HELP_SHAPE),
+    Action::Tension,
+)
+.untold();
+const LEAVE: Row = Command::button(Button::new(550, 38, words::QUIT), QUIT, Action::Quit);
+const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_FOLLOW), Action::Follow);
+const COMPARE: Row =
+    Command::key(Key::F(4), (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE), Action::Compare);
+const WORKSHOP: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_WORKSHOP), Action::Workshop);
+const JOINT: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_JOINTS), Action::ShapeJoint);
+const ALIKE: Row = Command::key(Key::F(6), (Words("F6", "F6"), words::HELP_JOINTS_OFF), Action::JointsAlike);
+const STORE: Row = Command::told(SAVE);
+const BACK: Row = Command::told(UNDO);
+const TURN: [Row; 4] =
+    [Command::told(TURN_DRAG), Command::told(TURN_KEYS), Command::told(ZOOM), Command::told(HOME)];
+
+const fn change(help: Words) -> Row {
+    Command::button(Button::new(460, 4, words::CHANGE), (Words("V", "V"), help), Action::Change)
+}
+
+const fn choose(help: KeyHelp) -> Row {
+    Command::button(Button::new(550, 4, words::CURVE), help, Action::Choose)
+}
+
+/// GB_2D_IP.
+pub(super) const METHODS: Commands<Action> =
+    Commands(&[DRAG, INSERT, CHANGE, DELETE, METHOD, RESULT, LEAVE, FOLLOW, COMPARE, WORKSHOP, STORE, BACK]);
+/// GB_2D_CH.
+pub(super) const TANGENTS: Commands<Action> =
+    Commands(&[DRAG, DRAG_TANGENT, INSERT, CHANGE_TANGENT, DELETE, FORM, RESULT, LEAVE, FOLLOW, STORE, BACK]);
+/// GB_2D_BT.
+pub(super) const BETA: Commands<Action> = Commands(&[
+    DRAG, INSERT, CHANGE, DELETE, BIAS, TENSION, FORM, RESULT, LEAVE, FOLLOW, JOINT, ALIKE, STORE, BACK,
+]);
+/// GB_3D_IP.
+pub(super) const SPACE_METHODS: Commands<Action> = Commands(&[
+    INSERT, CHANGE, DELETE, METHOD, RESULT, LEAVE, DRAG_3D, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW,
+    COMPARE, STORE, BACK,
+]);
+/// GB_3D_BT.
+pub(super) const SPACE_BETA: Commands<Action> = Commands(&[
+    INSERT, CHANGE, DELETE, BIAS, TENSION, FORM, RESULT, LEAVE, DRAG_3D, TURN[0], TURN[1], TURN[2], TURN[3],
+    FOLLOW, STORE, BACK,
+]);
+
+/// The help page of GB_2D_IP.
+pub const METHOD_KEYS: &[KeyHelp] = &METHODS.help::<{ METHODS.lines() }>();
+/// The help page of GB_2D_CH.
+pub const TANGENT_KEYS: &[KeyHelp] = &TANGENTS.help::<{ TANGENTS.lines() }>();
+/// The help page of GB_2D_BT.
+pub const BETA_KEYS: &[KeyHelp] = &BETA.help::<{ BETA.lines() }>();
+/// The help page of GB_3D_IP.
+pub const SPACE_METHOD_KEYS: &[KeyHelp] = &SPACE_METHODS.help::<{ SPACE_METHODS.lines() }>();
+/// The help page of GB_3D_BT.
+pub const SPACE_BETA_KEYS: &[KeyHelp] = &SPACE_BETA.help::<{ SPACE_BETA.lines() }>();
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_has_two_meanings() {
+        for commands in [METHODS, TANGENTS, BETA, SPACE_METHODS, SPACE_BETA] {
+            assert_eq!(commands.shared_keys(), []);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! How an editor sees its places: the field of the plane, or space from a direction that the user turns.
+
+use super::axes::{draw_axes, draw_legend};
+use super::field;
+use super::look::{Look, Viewer};
+use crate::figure::{Axes, Figure};
+use crate::geometry::{BoundingBox, ParamCurve, Point};
+use crate::machine::{Language, Tick};
+use crate::screen::{Color, Screen, Stroke};
+use crate::ui::{Area, words};
+
+/// Something taken up by the mouse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Held<H, const D: usize> {
+    pub(super) handle: H,
+    /// Where the mouse took it up.
+    pub(super) pressed: (i32, i32),
+    /// Where it was.
+    pub(super) from: Point<D>,
+    /// Where it is held.
+    pub(super) at: Point<D>,
+}
+
+/// A way to see places and to move them.
+pub(super) trait Lens<const D: usize> {
+    /// The pixel of a place.
+    fn pixel(&self, place: Point<D>) -> (i32, i32);
+    /// Where something that is held is when the mouse is at a pixel; `None` if the hand only clicks.
+    fn dragged<H>(&self, held: &Held<H, D>, mouse: (i32, i32)) -> Option<Point<D>>;
+    /// The place on a figure.
+    fn flat(&self, place: Point<D>) -> Point<2>;
+    /// Adds a curve to a figure; one that no arcs come near is left out, as on the screen.
+    fn plot(&self, figure: &mut Figure, curve: &dyn ParamCurve<D>, ink: [u8; 3]);
+    /// The axes of a figure of something with these bounds.
+    fn axes(&self, bounds: BoundingBox<D>) -> Option<Axes>;
+    /// The indices of points from the farthest to the nearest, which is drawn last.
+    fn order(&self, points: &[Point<D>]) -> Vec<usize>;
+    /// Turns and zooms. Whether the event was for that.
+    fn look_around(&mut self, _: &Tick) -> bool {
+        false
+    }
+    /// Ends a turn by the mouse that has been interrupted.
+    fn stop(&mut self) {}
+    /// What lies under the picture: grid or axes.
+    fn draw_ground(&self, screen: &mut Screen);
+    /// What stands on the frame.
+    fn draw_rim(&self, _: &mut Screen) {}
+    /// How to leave a result, and to turn it.
+    fn draw_legend(&self, screen: &mut Screen, language: Language);
+}
+
+/// The field of plane curves: x from 0 to 560 to the right, y from 0 to 380 up.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Field;
+
+/// Where the field's origin lies on the screen.
+const ORIGIN: (i32, i32) = (41, 450);
+/// Where the mouse can drag a point to.
+const REACH: Area = Area::new(41, 10, 620, 450);
+
+impl Lens<2> for Field {
+    fn pixel(&self, [x, y]: Point<2>) -> (i32, i32) {
+        (ORIGIN.0 + field::pixel(x), ORIGIN.1 - field::pixel(y))
+    }
+
+    fn dragged<H>(&self, held: &Held<H, 2>, (x, y): (i32, i32)) -> Option<Point<2>> {
+        let at = self.pixel(held.at);
+        let (to_x, to_y) = (x.clamp(REACH.x1, REACH.x2), y.clamp(REACH.y1, REACH.y2));
+        is_drag(at, (x, y)).then(|| [f64::from(to_x - ORIGIN.0), f64::from(ORIGIN.1 - to_y)])
+    }
+
+    fn flat(&self, place: Point<2>) -> Point<2> {
+        place
+    }
+
+    fn plot(&self, figure: &mut Figure, curve: &dyn ParamCurve<2>, ink: [u8; 3]) {
+        let _ = figure.plot_curve(curve, ink);
+    }
+
+    fn axes(&self, _: BoundingBox<2>) -> Option<Axes> {
+        None
+    }
+
+    fn order(&self, points: &[Point<2>]) -> Vec<usize> {
+        (0..points.len()).collect()
+    }
+
+    /// The grid of ten pixels.
+    fn draw_ground(&self, screen: &mut Screen) {
+        let stroke = Stroke::thin(Color::LightGray);
+        for column in 0..57 {
+            let x = ORIGIN.0 + 10 * column;
+            screen.line(x, 450, x, 70, stroke);
+        }
+        for row in 0..39 {
+            let y = ORIGIN.1 - 10 * row;
+            screen.line(41, y, 601, y, stroke);
+        }
+    }
+
+    /// The scales.
+    fn draw_rim(&self, screen: &mut Screen) {
+        let tick = Stroke::thin(Color::Black);
+        for hundred in 0..6 {
+            let x = ORIGIN.0 + 100 * hundred;
+            screen.line(x, 462, x, 470, tick);
+            let label_x = if hundred == 0 { 27 } else { x - 25 };
+            screen.text(label_x, 472, &(100 * hundred).to_string(), Color::Black);
+        }
+        for hundred in 0..4 {
+            let y = ORIGIN.1 - 100 * hundred;
+            screen.line(11, y, 29, y, tick);
+            let label_x = if hundred == 0 { 11 } else { 1 };
+            screen.text(label_x, y - 10, &(100 * hundred).to_string(), Color::Black);
+        }
+    }
+
+    fn draw_legend(&self, screen: &mut Screen, language: Language) {
+        screen.text(5, 5, words::BACK.of(language), Color::LightGray);
+    }
+}
+
+impl Lens<3> for Viewer {
+    fn pixel(&self, place: Point<3>) -> (i32, i32) {
+        self.look.to_screen(place)
+    }
+
+    /// In the plane of the picture.
+    fn dragged<H>(&self, held: &Held<H, 3>, (x, y): (i32, i32)) -> Option<Point<3>> {
+        let area = field::PICTURE;
+        let (x, y) = (x.clamp(area.x1, area.x2), y.clamp(area.y1, area.y2));
+        let by = (x - held.pressed.0, y - held.pressed.1);
+        is_drag((0, 0), by).then(|| self.look.dragged(held.from, by))
+    }
+
+    fn flat(&self, place: Point<3>) -> Point<2> {
+        self.look.view.place(place)
+    }
+
+    fn plot(&self, figure: &mut Figure, curve: &dyn ParamCurve<3>, ink: [u8; 3]) {
+        let _ = figure.plot_space_curve(curve, &self.look.view, ink);
+    }
+
+    fn axes(&self, bounds: BoundingBox<3>) -> Option<Axes> {
+        Some(Axes::Space { view: self.look.view, bounds })
+    }
+
+    fn order(&self, points: &[Point<3>]) -> Vec<usize> {
+        self.look.view.far_to_near(points)
+    }
+
+    fn look_around(&mut self, tick: &Tick) -> bool {
+        Viewer::look_around(self, tick)
+    }
+
+    fn stop(&mut self) {
+        Viewer::stop(self);
+    }
+
+    fn draw_ground(&self, screen: &mut Screen) {
+        draw_axes(screen, self.look);
+    }
+
+    fn draw_legend(&self, screen: &mut Screen, language: Language) {
+        draw_legend(screen, language);
+    }
+}
+
+/// Whether a hand that went from one pixel to another drags, and does not only click.
+fn is_drag((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> bool {
+    (x2 - x1).pow(2) + (y2 - y1).pow(2) > 2
+}
+
+impl Look {
+    /// The angles and the zoom as `dump` writes them: azimuth and elevation in degrees.
+    pub(super) fn angles(self) -> [f64; 3] {
+        [self.view.azimuth().to_degrees(), self.view.elevation().to_degrees(), self.scale()]
+    }
+}

@@ -1,0 +1,116 @@
+//! The commands of the surface programs.
+
+use super::plan::Family;
+use crate::design::Index;
+use crate::editor::keys::{HOME, QUIT, SAVE, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
+use crate::machine::Key;
+use crate::ui::words::{self, Words};
+use crate::ui::{Button, Command, Commands, KeyHelp};
+
+/// What a command does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Action {
+    Change,
+    ChangeAt(Index),
+    Surface,
+    Result,
+    Bias,
+    Tension,
+    K0,
+    Quit,
+    Follow,
+    Border,
+    Mirror,
+    Refine,
+}
+
+type Row = Command<Action>;
+
+const CHANGE: Row = Command::button(
+    Button::new(460, 4, words::CHANGE),
+    (Words("V", "V"), words::HELP_NET_CHANGE),
+    Action::Change,
+);
+const SURFACE: Row = Command::button(
+    Button::new(460, 21, words::SURFACE),
+    (Words("F", "F"), words::HELP_SURFACE),
+    Action::Surface,
+);
+const RESULT: Row = Command::button(
+    Button::new(460, 38, words::RESULT),
+    (Words("E", "E"), words::HELP_SURFACE_RESULT),
+    Action::Result,
+);
+const LEAVE: Row = Command::button(Button::new(550, 38, words::NET_QUIT), QUIT, Action::Quit);
+const SHAPES: KeyHelp = (Words("A C", "A C"), words::HELP_SHAPES);
+const BIAS: Row = Command::button(Button::new(550, 4, words::BIAS_BUTTON), SHAPES, Action::Bias);
+const TENSION: Row =
+    Command::button(Button::new(550, 21, words::TENSION_BUTTON), SHAPES, Action::Tension).untold();
+const K0: Row =
+    Command::button(Button::new(550, 21, words::K0_BUTTON), (Words("C", "C"), words::HELP_K0), Action::K0);
+const DRAG: Row = Command::told((Words("egér", "mouse"), words::HELP_NET_DRAG));
+const TURN: [Row; 4] =
+    [Command::told(TURN_DRAG), Command::told(TURN_KEYS), Command::told(ZOOM), Command::told(HOME)];
+const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_NET_FOLLOW), Action::Follow);
+const BORDER: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_BORDER), Action::Border);
+const INSPECT: Row = Command::elsewhere(Key::F(5), (Words("F5", "F5"), words::HELP_INSPECT));
+const SECTION: Row = Command::elsewhere(Key::F(6), (Words("F6", "F6"), words::HELP_SECTION));
+const MIRROR: Row = Command::key(Key::F(7), (Words("F7", "F7"), words::HELP_MIRROR), Action::Mirror);
+const REFINE: Row = Command::key(Key::F(8), (Words("F8", "F8"), words::HELP_REFINE), Action::Refine);
+const STORE: Row = Command::told(SAVE);
+const BACK: Row = Command::told(UNDO);
+
+const PLAIN: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
+    MIRROR, STORE, BACK,
+]);
+const LOCAL: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, K0, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
+    MIRROR, STORE, BACK,
+]);
+const BETA: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, BIAS, TENSION, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT,
+    SECTION, MIRROR, STORE, BACK,
+]);
+const B_SPLINE: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, BORDER, INSPECT,
+    SECTION, MIRROR, REFINE, STORE, BACK,
+]);
+const FINER: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
+    MIRROR, REFINE, STORE, BACK,
+]);
+
+/// The commands of a family of programs.
+pub(super) fn of(family: Family) -> Commands<Action> {
+    match family {
+        Family::Hermite => PLAIN,
+        Family::Local => LOCAL,
+        Family::Beta => BETA,
+        Family::BSpline => B_SPLINE,
+        Family::Spline | Family::Heights | Family::Bezier => FINER,
+    }
+}
+
+/// The help page of a program without parameters.
+pub const KEYS: &[KeyHelp] = &PLAIN.help::<{ PLAIN.lines() }>();
+/// That with a coefficient in each direction.
+pub const LOCAL_KEYS: &[KeyHelp] = &LOCAL.help::<{ LOCAL.lines() }>();
+/// That with bias and tension in each direction.
+pub const BETA_KEYS: &[KeyHelp] = &BETA.help::<{ BETA.lines() }>();
+/// That of B-splines.
+pub const B_SPLINE_KEYS: &[KeyHelp] = &B_SPLINE.help::<{ B_SPLINE.lines() }>();
+/// That of splines and the Bézier patch.
+pub const FINER_KEYS: &[KeyHelp] = &FINER.help::<{ FINER.lines() }>();
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_key_has_two_meanings() {
+        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER] {
+            assert_eq!(commands.shared_keys(), []);
+        }
+    }
+}

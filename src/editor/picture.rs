@@ -1,0 +1,92 @@
+//! The picture of the editor: the state as pixels or as a figure, changing nothing.
+
+use super::field::{ground, surroundings};
+use super::lens::Lens;
+use super::stage::Stage;
+use super::{Craft, Editor, seen};
+use crate::figure::Figure;
+use crate::machine::Language;
+use crate::screen::{Color, Screen};
+use crate::ui::{self, Picture, TOP};
+
+/// Where an editor draws things of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Layer {
+    /// In the picture, under what is seen.
+    Under,
+    /// In the picture, over it.
+    Over,
+    /// On the frame, beside the communication page.
+    Frame,
+    /// On the communication page.
+    Page,
+    /// Titles and values beside the buttons.
+    Titles,
+    /// In the corner of a result.
+    Legend,
+}
+
+/// What is drawn on.
+pub(super) struct Page<'s> {
+    pub(super) screen: &'s mut Screen,
+    pub(super) language: Language,
+}
+
+impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        let mut page = Page { screen, language };
+        match self.stage {
+            Stage::Result { .. } => self.draw_result(&mut page),
+            _ => self.draw_desk(&mut page),
+        }
+    }
+
+    fn figure(&self) -> Option<Figure> {
+        if matches!(self.stage, Stage::Starting { .. } | Stage::Returning) {
+            return None;
+        }
+        seen::figure(&C::seen(self), &self.lens)
+    }
+}
+
+impl<C: Craft<D>, const D: usize> Editor<C, D> {
+    /// What is edited, without its surroundings.
+    fn draw_result(&self, page: &mut Page<'_>) {
+        page.screen.clear(Color::Black);
+        self.draw_seen(page);
+        self.lens.draw_legend(page.screen, page.language);
+        C::draw(self, Layer::Legend, page);
+    }
+
+    /// The editor with its frame and buttons.
+    fn draw_desk(&self, page: &mut Page<'_>) {
+        match self.stage {
+            // As the original comes back: the ground is not black yet.
+            Stage::Returning => page.screen.clear(Color::LightCyan),
+            _ => {
+                ground(page.screen);
+                self.draw_seen(page);
+            }
+        }
+        surroundings(page.screen);
+        self.lens.draw_rim(page.screen);
+        C::draw(self, Layer::Frame, page);
+        ui::page(page.screen, TOP);
+        C::draw(self, Layer::Page, page);
+        if matches!(self.stage, Stage::FIRST | Stage::Returning) {
+            return;
+        }
+        C::draw(self, Layer::Titles, page);
+        self.craft.commands().draw(page.screen, page.language);
+    }
+
+    /// The picture itself.
+    fn draw_seen(&self, page: &mut Page<'_>) {
+        if !C::covers_ground(self) {
+            self.lens.draw_ground(page.screen);
+        }
+        C::draw(self, Layer::Under, page);
+        C::seen(self).iter().for_each(|item| item.paint(page.screen, &self.lens));
+        C::draw(self, Layer::Over, page);
+    }
+}

@@ -1,0 +1,27 @@
+//! Why there is no curve or surface, in words.
+
+use crate::design::DesignError;
+use crate::ui::words::{self, Phrase};
+
+/// Why an editor cannot show a curve.
+pub(super) fn of_curve(error: &DesignError) -> Phrase {
+    match error {
+        DesignError::Outside(number, place) => match place.as_slice() {
+            &[x, y] => words::outside_field(*number, [x, y]),
+            _ => words::OUTSIDE_SPACE.into(),
+        },
+        DesignError::TooMany(count) => words::too_many_points(*count),
+        DesignError::Geometry(error) => words::no_curve(error),
+        other => words::plain(other),
+    }
+}
+
+/// Why an editor cannot show a surface.
+pub(super) fn of_surface(error: &DesignError) -> Phrase {
+    match error {
+        DesignError::OtherNet { wanted, found } => words::other_net(*wanted, *found),
+        DesignError::NetSize { found, least, most } => words::net_size(*found, *least, *most),
+        DesignError::Geometry(error) => words::no_surface(error),
+        other => words::plain(other),
+    }
+}

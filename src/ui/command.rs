@@ -1,0 +1,145 @@
+//! A program's commands, each said once: key, button, line of help and action in a row of a table.
+
+use super::desk::KeyHelp;
+use super::frame::Button;
+use crate::machine::{Key, Language, Tick};
+use crate::screen::Screen;
+
+/// A command: how the user gives it, what the help page says about it, and what it does.
+#[derive(Clone, Copy, Debug)]
+pub struct Command<A: 'static> {
+    /// The key besides the button's letter.
+    pub key: Option<Key>,
+    /// The button, whose hot letter is a key too.
+    pub button: Option<Button>,
+    /// The line of the help page; neighbouring commands may share one.
+    pub help: Option<KeyHelp>,
+    /// What it does; `None` for what is only told, as what the mouse does.
+    pub action: Option<A>,
+}
+
+impl<A: Copy> Command<A> {
+    /// A command with a button.
+    pub const fn button(button: Button, help: KeyHelp, action: A) -> Command<A> {
+        Command { key: None, button: Some(button), help: Some(help), action: Some(action) }
+    }
+
+    /// A command with a key alone.
+    pub const fn key(key: Key, help: KeyHelp, action: A) -> Command<A> {
+        Command { key: Some(key), button: None, help: Some(help), action: Some(action) }
+    }
+
+    /// A line of the help page about something that is no command of this table.
+    pub const fn told(help: KeyHelp) -> Command<A> {
+        Command { key: None, button: None, help: Some(help), action: None }
+    }
+
+    /// A key that is answered elsewhere, so that nothing else may be given by it.
+    pub const fn elsewhere(key: Key, help: KeyHelp) -> Command<A> {
+        Command { key: Some(key), button: None, help: Some(help), action: None }
+    }
+
+    /// The command without a line of its own on the help page.
+    #[must_use]
+    pub const fn untold(self) -> Command<A> {
+        Command { help: None, ..self }
+    }
+
+    /// The keys that give it.
+    fn keys(&self) -> impl Iterator<Item = Key> {
+        self.key.into_iter().chain(self.button.map(|button| Key::Char(button.text.letter)))
+    }
+}
+
+/// The commands of a program, in the order of its help page.
+#[derive(Clone, Copy, Debug)]
+pub struct Commands<A: 'static>(pub &'static [Command<A>]);
+
+impl<A: Copy> Commands<A> {
+    /// What a key or a click on a button does; letters work in either case.
+    pub fn find(&self, tick: &Tick) -> Option<A> {
+        let given = |command: &&Command<A>| match tick.click() {
+            Some((x, y)) => command.button.is_some_and(|button| button.hit(x, y)),
+            None => {
+                let typed = tick.letter().map(Key::Char).or(tick.key());
+                typed.is_some_and(|typed| command.keys().any(|key| key == typed))
+            }
+        };
+        self.0.iter().find(given).and_then(|command| command.action)
+    }
+
+    /// Draws the buttons.
+    pub fn draw(&self, screen: &mut Screen, language: Language) {
+        self.0.iter().filter_map(|command| command.button).for_each(|button| button.draw(screen, language));
+    }
+
+    /// How many lines the help page has.
+    pub const fn lines(&self) -> usize {
+        let (mut lines, mut row) = (0, 0);
+        while row < self.0.len() {
+            lines += self.0[row].help.is_some() as usize;
+            row += 1;
+        }
+        lines
+    }
+
+    /// The lines of the help page; `N` is [`Commands::lines`].
+    pub const fn help<const N: usize>(&self) -> [KeyHelp; N] {
+        const NOTHING: super::Words = super::Words("", "");
+        let mut help = [(NOTHING, NOTHING); N];
+        let (mut line, mut row) = (0, 0);
+        while row < self.0.len() {
+            if let Some(told) = self.0[row].help {
+                help[line] = told;
+                line += 1;
+            }
+            row += 1;
+        }
+        help
+    }
+
+    /// The keys that give more than one command: a fault of the table.
+    pub fn shared_keys(&self) -> Vec<Key> {
+        let keys: Vec<Key> = self.0.iter().flat_map(Command::keys).collect();
+        keys.iter().enumerate().filter(|(at, key)| keys[..*at].contains(key)).map(|(_, key)| *key).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Hot, Words};
+    use super::*;
+    use crate::machine::{Event, Mouse};
+    use std::time::Duration;
+
+    const HELP: KeyHelp = (Words("a", "a"), Words("b", "b"));
+    const BUTTON: Button = Button::new(10, 10, Hot { letter: 'A', rest: Words("", "") });
+    const TABLE: Commands<u8> = Commands(&[
+        Command::told(HELP),
+        Command::button(BUTTON, HELP, 1),
+        Command::key(Key::F(3), HELP, 2).untold(),
+    ]);
+    const LINES: [KeyHelp; TABLE.lines()] = TABLE.help();
+
+    fn find(event: Event) -> Option<u8> {
+        let mouse = Mouse { x: 12, y: 12, ..Mouse::default() };
+        TABLE.find(&Tick { event: Some(event), now: Duration::ZERO, mouse })
+    }
+
+    #[test]
+    fn keys_and_buttons_lead_to_the_same_action() {
+        assert_eq!(find(Event::Key(Key::Char('a'))), Some(1));
+        assert_eq!(find(Event::Key(Key::F(3))), Some(2));
+        assert_eq!(find(Event::Press(crate::machine::Button::Left)), Some(1));
+        assert_eq!(find(Event::Key(Key::Char('x'))), None);
+        assert_eq!(LINES.len(), 2);
+    }
+
+    #[test]
+    fn a_key_of_two_commands_is_found() {
+        assert!(TABLE.shared_keys().is_empty());
+        const TWICE: Commands<u8> =
+            Commands(&[Command::button(BUTTON, HELP, 1), Command::key(Key::Char('A'), HELP, 2)]);
+        assert_eq!(TWICE.shared_keys(), [Key::Char('A')]);
+    }
+}
