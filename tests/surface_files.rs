@@ -7,7 +7,9 @@ mod common;
 use common::pictures;
 use grafika::figure::{FigureError, Mesh, surface_step, visible_lines};
 use grafika::file::{Document, Net, NetKind};
-use grafika::geometry::{BSplineSurface, Border, Method, Point, Scheme, Surface, Topology, View};
+use grafika::geometry::{
+    BSplineSurface, Border, Method, ParamSurface, Point, Scheme, Surface, Topology, View,
+};
 use proptest::prelude::*;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -9,7 +9,7 @@ use grafika::figure::{
     surface_step, tolerance,
 };
 use grafika::file::SPACE_VIEW;
-use grafika::geometry::{BoundingBox, Closure, CubicBezier, ParamCurve, Point, View};
+use grafika::geometry::{BoundingBox, Closure, CubicBezier, ParamCurve, ParamSurface, Point, View};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 

@@ -4,7 +4,7 @@ use crate::curve::{CurveArgs, Curved};
 use crate::source::is_stream;
 use clap::Args;
 use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
-use grafika::geometry::{GeometryError, ParamCurve, Sample as Place, SurfaceSample};
+use grafika::geometry::{GeometryError, ParamCurve, ParamSurface, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 

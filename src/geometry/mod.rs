@@ -37,6 +37,7 @@
 //! ```
 
 mod arclen;
+mod basis;
 mod beta;
 mod bezier;
 mod bounds;
@@ -61,6 +62,7 @@ mod walk;
 mod weights;
 mod window;
 
+pub use basis::{Basis, Blend};
 pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
 pub use bounds::BoundingBox;
@@ -78,8 +80,8 @@ pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
-    BSplineSurface, Border, Derivatives, Grid, Patch, Plane, RefineDirection, Rim, Scheme, Surface,
-    SurfaceSample, Topology, refine, section,
+    BSplineSurface, Border, Derivatives, Grid, ParamSurface, Patch, Plane, RefineDirection, Rim, Scheme,
+    Surface, SurfaceSample, Topology, Weave, refine, section,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

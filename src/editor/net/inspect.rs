@@ -4,7 +4,7 @@
 use super::surface::{Drawn, draw_cells};
 use super::{Desk, Editor};
 use crate::editor::look::Look;
-use crate::geometry::{Plane, Point, Surface, section};
+use crate::geometry::{ParamSurface, Plane, Point, Surface, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
@@ -141,8 +141,7 @@ fn places(surface: &Surface, steps: usize, [rows, columns]: [usize; 2]) -> impl 
 
 impl Place<'_> {
     fn zebra(&self, toward: Point<3>) -> Color {
-        let ([i, j], [u, v]) = (self.spans, self.parameters);
-        let Some(normal) = self.surface.normal(i, j, u, v) else {
+        let Some(normal) = self.surface.normal(self.spans, self.parameters) else {
             return FLAT;
         };
         let cosine: f64 = normal.iter().zip(toward).map(|(a, b)| a * b).sum();
@@ -151,8 +150,9 @@ impl Place<'_> {
     }
 
     fn curvature(&self, size: f64) -> Color {
-        let ([i, j], [u, v]) = (self.spans, self.parameters);
-        let Some(curvature) = self.surface.gaussian_curvature(i, j, u, v) else { return FLAT };
+        let Some(curvature) = self.surface.gaussian_curvature(self.spans, self.parameters) else {
+            return FLAT;
+        };
         // A ball as large as the surface has curvature 4 in this unit.
         let relative = curvature * size * size;
         let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();

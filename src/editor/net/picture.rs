@@ -8,7 +8,7 @@ use super::{Editor, Stage};
 use crate::editor::axes::{draw_axes, draw_legend};
 use crate::editor::field::{ground, surroundings};
 use crate::figure::Figure;
-use crate::geometry::Point;
+use crate::geometry::{ParamSurface, Point};
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
@@ -170,7 +170,7 @@ impl Editor {
             for step in 0..=BORDER_STEPS {
                 let t = step as f64 / BORDER_STEPS as f64;
                 let (u, v) = if along_u { (t, side) } else { (side, t) };
-                let Some(at) = surface.derivatives(0, 0, u, v) else { continue };
+                let Some(at) = surface.at([0, 0], [u, v]) else { continue };
                 let across = if along_u { at.v } else { at.u };
                 let tip = std::array::from_fn(|d| at.point[d] + TANGENT * across[d]);
                 lines.push((at.point, tip));

@@ -4,7 +4,7 @@ use super::Editor;
 use super::model::Model;
 use super::plan::Family;
 use crate::editor::look::Look;
-use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex, dot};
+use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Surface, Vertex, dot};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::words::{self, Phrase};
