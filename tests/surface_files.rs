@@ -247,7 +247,7 @@ fn step_holds_the_surface_itself() {
         assert!(text.contains("PRODUCT('A''b'"));
         assert_eq!(text.contains("MANIFOLD_SOLID_BREP"), surface.topology() != Topology::Open);
         let read = step_surface(&text);
-        assert_eq!(read, surface.to_bspline());
+        assert_eq!(Some(&read), surface.to_bspline().as_ref());
         for sample in surface.sample(3).unwrap() {
             let at = |d: usize| {
                 let (span, knots) = (sample.spans[d], &read.knots[d]);
@@ -299,7 +299,7 @@ proptest! {
             let _ = mesh.to_stl();
         }
         if let Ok(step) = surface_step(&surface, "any") {
-            prop_assert_eq!(step_surface(&step), surface.to_bspline());
+            prop_assert_eq!(Some(step_surface(&step)), surface.to_bspline());
         }
     }
 }

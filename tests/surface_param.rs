@@ -191,7 +191,7 @@ impl ParamSurface for Ball {
     }
 
     fn at(&self, [i, j]: [usize; 2], uv: [f64; 2]) -> Option<Derivatives> {
-        let [u, v] = uv.map(|x| x.max(0.0).min(1.0));
+        let [u, v] = uv.map(|x| if x > 0.0 { x.min(1.0) } else { 0.0 });
         // From above, the other way round: normals then look out.
         let ((s, c), (t, d)) = ((-TAU * u).sin_cos(), (0.5 * PI * (j as f64 + v)).sin_cos());
         let (a, b) = (-TAU, 0.5 * PI);

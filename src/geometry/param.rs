@@ -91,10 +91,11 @@ pub trait ParamCurve<const D: usize>: fmt::Debug {
         Ok(points)
     }
 
-    /// The ends of the spans: the start of an open curve, and the last point of each span.
+    /// Where spans begin and end: joint `i` is where span `i` begins, and an open curve has one more where it ends.
     fn joints(&self) -> Vec<Point<D>> {
-        let start = if self.closed() { None } else { self.eval(0, 0.0) };
-        start.into_iter().chain((0..self.spans()).filter_map(|span| self.eval(span, 1.0))).collect()
+        let starts = (0..self.spans()).filter_map(|span| self.eval(span, 0.0));
+        let end = if self.closed() { None } else { self.eval(self.spans().saturating_sub(1), 1.0) };
+        starts.chain(end).collect()
     }
 
     /// A box round the curve; `None` without spans. Here the extreme points are searched between 16 steps of every
