@@ -4,7 +4,9 @@
 //! The room holds mathematics only: no screen, no files, no state. Every piecewise method of the
 //! book (chapters 2.3 and 3) is linear in the control points and cubic at most, so it is a set of
 //! [`Weights`] fixed by the method, the ends and the number of points; weights times points are
-//! arcs. The Bézier curve by all points is one arc of any degree. Nothing here panics or answers
+//! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
+//! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
+//! points are a [`Basis`]. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
