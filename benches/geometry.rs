@@ -28,6 +28,10 @@ fn sampling(c: &mut Criterion) {
     let arc2 = CubicBezier { p: arc3.p.map(|[x, y, _]| [x, y]) };
     let mut out3 = vec![[0.0; 3]; SAMPLES];
     group.bench_function("space", |b| b.iter(|| black_box(&arc3).sample_into(black_box(&mut out3))));
+    let curve: Box<dyn ParamCurve<3>> = Box::new(Curve::Piecewise(vec![arc3]));
+    group.bench_function("space, behind the trait", |b| {
+        b.iter(|| black_box(&curve).sample_span(0, black_box(&mut out3)));
+    });
     let mut out2 = vec![[0.0; 2]; SAMPLES];
     group.bench_function("plane", |b| b.iter(|| black_box(&arc2).sample_into(black_box(&mut out2))));
     group.bench_function("plane, one by one", |b| {

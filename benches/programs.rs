@@ -5,10 +5,11 @@
 //! `.IP2` 20 µs.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use grafika::editor::{net, plane, space};
+use grafika::editor::curve::{self, Tools};
+use grafika::editor::net;
 use grafika::file::{Document, Format, NetKind, PlanePoints, SpacePoints};
-use grafika::machine::{Asked, Event, Key, Machine, Memory, Script, Session, Settings, Storage, play};
-use grafika::ui::{Manual, Words};
+use grafika::machine::{Event, Key, Machine, Memory, Script, Session, Settings, Storage, play};
+use grafika::ui::{Manual, Phrase, Start, Words};
 use std::hint::black_box;
 use std::process::Command;
 use std::time::Duration;
@@ -43,21 +44,20 @@ fn stored() -> Memory {
 }
 
 /// A session of a program after a script.
-fn session<F: Future<Output = Asked<()>> + 'static>(
-    program: impl FnOnce(Machine) -> F,
-    script: &str,
-) -> Session {
-    let mut session = Session::start(Machine::new(Box::new(stored()), Settings::default()), program);
+fn session(start: Result<Start, Phrase>, script: &str) -> Session {
+    let start = start.unwrap_or_else(|_| panic!("without a document every program starts"));
+    let machine = Machine::new(Box::new(stored()), Settings::default());
+    let mut session = Session::start(machine, move |mut machine| async move { start(&mut machine).await });
     play(&mut session, &Script::parse(script).expect("a right script"), &mut ()).expect("nothing is written");
     session
 }
 
-fn plane_session(tools: plane::Tools, script: &str) -> Session {
-    session(move |mut machine| async move { plane::run(&mut machine, MANUAL, tools, None).await }, script)
+fn plane_session(tools: Tools, script: &str) -> Session {
+    session(curve::plane(MANUAL, tools, None), script)
 }
 
-fn space_session(tools: space::Tools, script: &str) -> Session {
-    session(move |mut machine| async move { space::run(&mut machine, MANUAL, tools, None).await }, script)
+fn space_session(tools: Tools, script: &str) -> Session {
+    session(curve::space(MANUAL, tools, None), script)
 }
 
 fn redraws(c: &mut Criterion) {
@@ -72,16 +72,16 @@ fn redraws(c: &mut Criterion) {
             });
         });
     };
-    bench("gb_2d_ip, closed spline", plane_session(plane::Tools::Methods, &format!("{load}type gz3")));
-    bench("gb_2d_ip, closed Bézier", plane_session(plane::Tools::Methods, &format!("{load}type gz2")));
-    bench("gb_2d_ch, closed", plane_session(plane::Tools::Tangents, &format!("{load}key N\ntype gz\nkey N")));
-    bench("gb_2d_bt, closed", plane_session(plane::Tools::Beta, &format!("{load}type gz")));
-    bench("gb_3d_ip, closed spline", space_session(space::Tools::Methods, &format!("{load}type gz3")));
-    bench("gb_3d_bt, closed", space_session(space::Tools::Beta, &format!("{load}type gz")));
+    bench("gb_2d_ip, closed spline", plane_session(Tools::Methods, &format!("{load}type gz3")));
+    bench("gb_2d_ip, closed Bézier", plane_session(Tools::Methods, &format!("{load}type gz2")));
+    bench("gb_2d_ch, closed", plane_session(Tools::Tangents, &format!("{load}key N\ntype gz\nkey N")));
+    bench("gb_2d_bt, closed", plane_session(Tools::Beta, &format!("{load}type gz")));
+    bench("gb_3d_ip, closed spline", space_session(Tools::Methods, &format!("{load}type gz3")));
+    bench("gb_3d_bt, closed", space_session(Tools::Beta, &format!("{load}type gz")));
 }
 
 /// The plan of ZM_HSPL, whose default picture is the largest.
-const SPHERE: net::Plan = net::Plan {
+static SPHERE: net::Plan = net::Plan {
     manual: MANUAL,
     kind: NetKind::Zms,
     reads: &[],
@@ -100,8 +100,7 @@ fn turning(c: &mut Criterion) {
         ("zebra", "key U\nkey F\nkey T\nkey F5"),
         ("section", "key U\nkey F\nkey T\nkey F6"),
     ] {
-        let run = |mut machine: Machine| async move { net::run(&mut machine, SPHERE, None).await };
-        let mut session = session(run, script);
+        let mut session = session(net::start(&SPHERE, None), script);
         group.bench_function(name, |bencher| {
             bencher.iter(|| session.send(black_box(Event::Key(Key::Left)), Duration::ZERO));
         });

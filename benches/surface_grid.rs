@@ -2,7 +2,7 @@
 //! The goal is 5 ns for a point of the grid on one core.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use grafika::geometry::{Method, Point, Scheme, Surface, Topology};
+use grafika::geometry::{Method, ParamSurface, Point, Scheme, Surface, Topology};
 use std::hint::black_box;
 
 fn net(rows: usize, columns: usize) -> Vec<Vec<Point<3>>> {

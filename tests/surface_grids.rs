@@ -1,6 +1,6 @@
 //! Surfaces against the meshes that the originals computed, in single precision.
 
-use grafika::geometry::{Border, Method, Patch, Point, Scheme, Surface, Topology};
+use grafika::geometry::{Border, Method, ParamSurface, Patch, Point, Scheme, Surface, Topology};
 use std::path::Path;
 
 /// A mesh of the originals with the net and the parameters that it was made from.

@@ -2,7 +2,7 @@
 //! elimination for splines, printed weights for B-splines, beta-splines and local splines, de Casteljau for
 //! Bézier, the Hermite matrix product. The agreement asked for is 1e-12 of the net's size.
 
-use grafika::geometry::{Border, Method, Point, Scheme, Surface, Topology};
+use grafika::geometry::{Border, Method, ParamSurface, Point, Scheme, Surface, Topology};
 
 const SIZE: f64 = 560.0;
 const TOLERANCE: f64 = 1e-12 * SIZE;
@@ -284,7 +284,7 @@ fn the_comparison_can_fail() {
     let scheme = Scheme::new(Method::Beta { bias: 1.5, tension: 1.0 }, Topology::Sphere);
     let surface = Surface::new(scheme, &net).unwrap();
     let nearby = Scheme { v: Method::Beta { bias: 1.500001, tension: 1.0 }, ..scheme };
-    let off = distance(surface.eval(0, 0, 0.3, 0.0).unwrap(), expected(&net, nearby, [0, 0], [0.3, 0.0]));
+    let off = distance(surface.eval([0, 0], [0.3, 0.0]).unwrap(), expected(&net, nearby, [0, 0], [0.3, 0.0]));
     assert!(off > 1e4 * TOLERANCE, "{off:e}");
 }
 

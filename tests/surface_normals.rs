@@ -1,7 +1,7 @@
 //! Normals, brightness and curvature against exact surfaces and finite differences, and normals where the
 //! derivatives have none.
 
-use grafika::geometry::{Border, Method, Point, Scheme, Surface, Topology};
+use grafika::geometry::{Border, Method, ParamSurface, Point, Scheme, Surface, Topology};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -60,11 +60,11 @@ fn poles_have_the_normal_of_their_tangent_plane() {
         for i in 0..rows {
             for u in [0.0, 0.3, 0.5, 1.0] {
                 for (j, v) in [(0, 0.0), (columns - 1, 1.0)] {
-                    let normal = surface.normal(i, j, u, v).unwrap();
+                    let normal = surface.normal([i, j], [u, v]).unwrap();
                     // East times south is inwards.
                     let inward = if v == 0.0 { AXIS.map(|x| -x) } else { AXIS };
                     worst = worst.max(angle(normal, inward));
-                    let near = surface.normal(i, j, u, (v - 0.01).abs()).unwrap();
+                    let near = surface.normal([i, j], [u, (v - 0.01).abs()]).unwrap();
                     assert!(dot(near, normal) > 0.99);
                 }
             }
@@ -84,8 +84,8 @@ fn coinciding_control_points_have_normals() {
     net[1][0] = net[0][0];
     net[1][1] = net[0][0];
     let patch = surface(Method::Bezier, Topology::Open, &net);
-    assert_eq!(patch.derivatives(0, 0, 0.0, 0.0).unwrap().normal(), None);
-    let normal = patch.normal(0, 0, 0.0, 0.0).unwrap();
+    assert_eq!(patch.at([0, 0], [0.0, 0.0]).unwrap().normal(), None);
+    let normal = patch.normal([0, 0], [0.0, 0.0]).unwrap();
     assert!(normal.iter().all(|x| x.is_finite()) && (dot(normal, normal) - 1.0).abs() < 1e-12);
     // A row that is one point: normals along it, and the same from both sides of a place.
     let mut net: Net = (0..4)
@@ -94,7 +94,7 @@ fn coinciding_control_points_have_normals() {
     net[0].fill([0.0; 3]);
     let patch = surface(Method::Bezier, Topology::Open, &net);
     for v in [0.0, 0.25, 0.5, 1.0] {
-        let (at, near) = (patch.normal(0, 0, 0.0, v).unwrap(), patch.normal(0, 0, 1e-6, v).unwrap());
+        let (at, near) = (patch.normal([0, 0], [0.0, v]).unwrap(), patch.normal([0, 0], [1e-6, v]).unwrap());
         assert!(angle(at, near) < 1e-5, "{v} {}", angle(at, near));
     }
 }
@@ -111,15 +111,15 @@ fn what_is_no_surface_has_no_normal() {
         for method in [Method::Spline, Method::BSpline2, Method::BSpline3, Method::Bezier] {
             let surface = surface(method, Topology::Open, &net);
             for place in [0.0, 0.3, 0.5, 1.0] {
-                assert_eq!(surface.normal(0, 0, place, 0.5), None, "{method:?}");
-                assert_eq!(surface.gaussian_curvature(0, 0, place, 0.5), None, "{method:?}");
+                assert_eq!(surface.normal([0, 0], [place, 0.5]), None, "{method:?}");
+                assert_eq!(surface.gaussian_curvature([0, 0], [place, 0.5]), None, "{method:?}");
             }
         }
     }
     let ball = surface(Method::Spline, Topology::Sphere, &ball(8, 5, 10.0));
-    assert_eq!(ball.normal(8, 0, 0.5, 0.5), None);
-    assert_eq!(ball.brightness(0, 0, 0.5, 0.5, [0.0; 3]), None);
-    assert_eq!(ball.brightness(0, 0, 0.5, 0.5, [f64::NAN, 0.0, 1.0]), None);
+    assert_eq!(ball.normal([8, 0], [0.5, 0.5]), None);
+    assert_eq!(ball.brightness([0, 0], [0.5, 0.5], [0.0; 3]), None);
+    assert_eq!(ball.brightness([0, 0], [0.5, 0.5], [f64::NAN, 0.0, 1.0]), None);
 }
 
 /// The graph z = a x² + b y² over [-1, 1] x [-1, 1] as a Bézier patch of degrees 3 and 3 or 2 and 2.
@@ -144,13 +144,13 @@ fn graphs_have_their_exact_normals_and_curvature() {
         {
             let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
             let normal = unit([-2.0 * a * x, -2.0 * b * y, 1.0]);
-            assert!(angle(bowl.normal(0, 0, u, v).unwrap(), normal) < 1e-14 * 100.0);
+            assert!(angle(bowl.normal([0, 0], [u, v]).unwrap(), normal) < 1e-14 * 100.0);
             let steep = 1.0 + 4.0 * (a * a * x * x + b * b * y * y);
-            let curvature = bowl.gaussian_curvature(0, 0, u, v).unwrap();
-            assert_eq!(Some(curvature), bowl.derivatives(0, 0, u, v).unwrap().gaussian_curvature());
+            let curvature = bowl.gaussian_curvature([0, 0], [u, v]).unwrap();
+            assert_eq!(Some(curvature), bowl.at([0, 0], [u, v]).unwrap().gaussian_curvature());
             assert!((curvature - 4.0 * a * b / (steep * steep)).abs() < 1e-12);
             let light = [1.0, 2.0, 3.0];
-            let bright = bowl.brightness(0, 0, u, v, light).unwrap();
+            let bright = bowl.brightness([0, 0], [u, v], light).unwrap();
             assert!((bright - dot(normal, unit(light))).abs() < 1e-13);
         }
     }
@@ -164,13 +164,13 @@ fn a_fine_ball_has_the_curvature_of_a_sphere() {
         let ball = surface(Method::Spline, Topology::Sphere, &ball(2 * fineness, fineness + 1, 10.0));
         let mut worst = 0.0_f64;
         for j in 1..fineness - 1 {
-            let at = ball.derivatives(3, j, 0.4, 0.6).unwrap();
+            let at = ball.at([3, j], [0.4, 0.6]).unwrap();
             worst = worst.max((at.gaussian_curvature().unwrap() * 100.0 - 1.0).abs());
         }
         for (j, v) in [(0, 0.0), (fineness - 1, 1.0)] {
             // At a pole the limit, which nearby places confirm.
-            let at_pole = ball.gaussian_curvature(3, j, 0.4, v).unwrap();
-            let near = ball.gaussian_curvature(3, j, 0.4, (v - 1e-4_f64).abs()).unwrap();
+            let at_pole = ball.gaussian_curvature([3, j], [0.4, v]).unwrap();
+            let near = ball.gaussian_curvature([3, j], [0.4, (v - 1e-4_f64).abs()]).unwrap();
             assert!((at_pole / near - 1.0).abs() < 1e-3, "{fineness}: {at_pole} {near}");
             worst = worst.max((at_pole * 100.0 - 1.0).abs());
         }
@@ -207,7 +207,7 @@ proptest! {
         let surface = surface(method, Topology::Open, &net);
         let [i, j] = surface.spans().map(|spans| spans / 2);
         let h = 1e-4;
-        let at = |du: f64, dv: f64| surface.derivatives(i, j, u + du * h, v + dv * h).unwrap();
+        let at = |du: f64, dv: f64| surface.at([i, j], [u + du * h, v + dv * h]).unwrap();
         let slope = |f: &dyn Fn(f64) -> Point<3>| -> Point<3> {
             let (before, after) = (f(-1.0), f(1.0));
             std::array::from_fn(|d| (after[d] - before[d]) / (2.0 * h))
@@ -229,13 +229,13 @@ proptest! {
     ) {
         let surface = surface(method, Topology::Open, &net);
         let [i, j] = surface.spans().map(|spans| spans / 2);
-        let here = surface.derivatives(i, j, u, v).unwrap();
+        let here = surface.at([i, j], [u, v]).unwrap();
         let area = cross(here.u, here.v);
         // Where the surface is nearly folded, differences of normals are coarse.
         prop_assume!(dot(area, area) > 0.04 * dot(here.u, here.u) * dot(here.v, here.v));
         prop_assume!(dot(here.u, here.u) > 100.0 && dot(here.v, here.v) > 100.0);
         let h = 1e-4;
-        let normal = |du: f64, dv: f64| surface.normal(i, j, u + du * h, v + dv * h).unwrap();
+        let normal = |du: f64, dv: f64| surface.normal([i, j], [u + du * h, v + dv * h]).unwrap();
         let difference = |a: Point<3>, b: Point<3>| -> Point<3> {
             std::array::from_fn(|d| (a[d] - b[d]) / (2.0 * h))
         };
@@ -258,7 +258,7 @@ proptest! {
         let surface = surface(method, Topology::Open, &net);
         let [rows, columns] = surface.spans();
         for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
-            if let Some(n) = surface.normal(i, j, f64::from(u) / 2.0, f64::from(v) / 2.0) {
+            if let Some(n) = surface.normal([i, j], [f64::from(u) / 2.0, f64::from(v) / 2.0]) {
                 prop_assert!((dot(n, n) - 1.0).abs() < 1e-12);
             }
         }

@@ -1,7 +1,7 @@
 //! Properties of surfaces by any net: smooth joints, seams and poles, interpolation, hulls, symmetry, and
 //! grids without cracks.
 
-use grafika::geometry::{Border, Derivatives, Method, Point, Scheme, Surface, Topology};
+use grafika::geometry::{Border, Derivatives, Method, ParamSurface, Point, Scheme, Surface, Topology};
 use proptest::prelude::*;
 
 type Net = Vec<Vec<Point<3>>>;
@@ -126,8 +126,8 @@ fn check_joints(scheme: Scheme, surface: &Surface, direction: usize) -> Result<(
             for place in [0.0, 0.4, 1.0] {
                 let at = |span: usize, end: f64| {
                     let derivatives = match direction {
-                        0 => surface.derivatives(span, t, end, place),
-                        _ => surface.derivatives(t, span, place, end),
+                        0 => surface.at([span, t], [end, place]),
+                        _ => surface.at([t, span], [place, end]),
                     };
                     jet(&derivatives.unwrap(), direction, lengths[span])
                 };
@@ -158,8 +158,8 @@ proptest! {
         let [rows, columns] = surface.spans();
         for (j, v) in [(0, 0.0), (columns - 1, 1.0)] {
             for i in 0..rows {
-                let here = surface.derivatives(i, j, u, v).unwrap();
-                let there = surface.derivatives((i + rows / 2) % rows, j, u, v).unwrap();
+                let here = surface.at([i, j], [u, v]).unwrap();
+                let there = surface.at([(i + rows / 2) % rows, j], [u, v]).unwrap();
                 prop_assert!(distance(here.point, there.point) < TOLERANCE);
                 prop_assert!(distance(here.v, scaled(-1.0, there.v)) < 10.0 * TOLERANCE);
                 if spline {
@@ -187,7 +187,7 @@ proptest! {
         let rows = surface.spans()[0];
         for (j, v) in [(0, 0.0), (surface.spans()[1] - 1, 1.0)] {
             let tangents: Vec<Point<3>> =
-                (0..rows).map(|i| surface.derivatives(i, j, u, v).unwrap().v).collect();
+                (0..rows).map(|i| surface.at([i, j], [u, v]).unwrap().v).collect();
             let sum = tangents.iter().fold([0.0; 3], |sum, t| std::array::from_fn(|d| sum[d] + t[d]));
             prop_assert!(distance(sum, [0.0; 3]) < 100.0 * TOLERANCE);
             if flat && j == 0 {
@@ -208,7 +208,7 @@ proptest! {
             for (l, &p) in row.iter().enumerate() {
                 let (i, u) = if k < rows { (k, 0.0) } else { (k - 1, 1.0) };
                 let (j, v) = if l < columns { (l, 0.0) } else { (l - 1, 1.0) };
-                prop_assert!(distance(surface.eval(i, j, u, v).unwrap(), p) < TOLERANCE);
+                prop_assert!(distance(surface.eval([i, j], [u, v]).unwrap(), p) < TOLERANCE);
             }
         }
     }
@@ -258,7 +258,7 @@ proptest! {
         );
         for s in a.sample(3).unwrap() {
             let ([i, j], [u, v]) = (s.spans, s.parameters);
-            prop_assert!(distance(s.point, b.eval(j, i, v, u).unwrap()) < TOLERANCE);
+            prop_assert!(distance(s.point, b.eval([j, i], [v, u]).unwrap()) < TOLERANCE);
         }
     }
 
@@ -291,8 +291,8 @@ proptest! {
         for s in a.sample(3).unwrap() {
             let ([i, j], [u, v]) = (s.spans, s.parameters);
             let there = match along_v {
-                true => b.eval(i, place(j), u, 1.0 - v),
-                false => b.eval(place(i), j, 1.0 - u, v),
+                true => b.eval([i, place(j)], [u, 1.0 - v]),
+                false => b.eval([place(i), j], [1.0 - u, v]),
             };
             prop_assert!(distance(s.point, there.unwrap()) < TOLERANCE, "{s:?} {there:?}");
         }
@@ -346,7 +346,7 @@ proptest! {
         prop_assert_eq!([rows.len(), columns.len()], [grid.rows(), grid.columns()]);
         for (k, &(i, u)) in rows.iter().enumerate() {
             for (l, &(j, v)) in columns.iter().enumerate() {
-                prop_assert!(distance(grid.point(k, l).unwrap(), surface.eval(i, j, u, v).unwrap()) < TOLERANCE);
+                prop_assert!(distance(grid.point(k, l).unwrap(), surface.eval([i, j], [u, v]).unwrap()) < TOLERANCE);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A refined net is the same surface, under the mapping of the parameters that `refine` states.
 
 use grafika::geometry::{
-    Border, GeometryError, Method, Point, RefineDirection, Scheme, Surface, Topology, refine,
+    Border, GeometryError, Method, ParamSurface, Point, RefineDirection, Scheme, Surface, Topology, refine,
 };
 use proptest::prelude::*;
 
@@ -80,7 +80,7 @@ fn deviation(scheme: Scheme, net: &Net, direction: RefineDirection) -> f64 {
         if in_v {
             (j, v) = mapped(&coarse, 1, j, v);
         }
-        distance(fine.eval(i, j, u, v).unwrap(), s.point)
+        distance(fine.eval([i, j], [u, v]).unwrap(), s.point)
     };
     coarse.sample(5).unwrap().iter().map(off).fold(0.0, f64::max)
 }
@@ -148,7 +148,7 @@ fn refining_again_and_again_approaches_the_surface() {
     let surface = Surface::new(scheme, &net).unwrap();
     for (k, row) in net.iter().enumerate().take(net.len() - 1) {
         for (l, &p) in row.iter().enumerate().take(row.len() - 1) {
-            assert!(distance(surface.eval(k, l, 0.0, 0.0).unwrap(), p) < 1e-3);
+            assert!(distance(surface.eval([k, l], [0.0, 0.0]).unwrap(), p) < 1e-3);
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Sections by planes: their points are on the plane and on the surface, their lines end where they should.
 
-use grafika::geometry::{Border, GeometryError, Method, Plane, Point, Scheme, Surface, Topology, section};
+use grafika::geometry::{
+    Border, GeometryError, Method, ParamSurface, Plane, Point, Scheme, Surface, Topology, section,
+};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -51,7 +53,7 @@ fn distance_from(surface: &Surface, p: Point<3>) -> f64 {
         let ([i, j], [mut u, mut v]) = (s.spans, s.parameters);
         let mut best = f64::INFINITY;
         for _ in 0..40 {
-            let at = surface.derivatives(i, j, u, v).unwrap();
+            let at = surface.at([i, j], [u, v]).unwrap();
             let off = minus(p, at.point);
             best = best.min(norm(off));
             let (e, f, g) = (dot(at.u, at.u), dot(at.u, at.v), dot(at.v, at.v));
@@ -114,7 +116,7 @@ fn lines_end_at_the_holes_of_doubled_poles() {
     let lines = section(&ball, Plane { normal: [0.3, 1.0, 0.0], offset: 0.0 }, 6).unwrap();
     assert_eq!(lines.len(), 2);
     let ends: Vec<_> = lines.iter().flat_map(|line| [line[0], line[line.len() - 1]]).collect();
-    let hole = ball.eval(0, 0, 0.0, 0.0).unwrap()[2];
+    let hole = ball.eval([0, 0], [0.0, 0.0]).unwrap()[2];
     assert!(ends.iter().all(|end| (end[2].abs() - hole).abs() < 1e-9), "{ends:?}");
 }
 

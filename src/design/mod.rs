@@ -16,7 +16,7 @@ pub use net::{Index, NetDesign, Part};
 pub use sketch::Sketch;
 
 use crate::file::{CurveSettings, Document, Format, Method, NetSettings};
-use crate::geometry::{Closure, ParamCurve, Surface};
+use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
 /// What a document describes.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ pub enum Shape {
     /// A curve in space.
     Space(Box<dyn ParamCurve<3>>),
     /// A surface.
-    Surface(Box<Surface>),
+    Surface(Box<dyn ParamSurface>),
 }
 
 impl Design {
@@ -68,7 +68,7 @@ impl Design {
             Design::Plane(sketch) => Shape::Plane(sketch.curve()?),
             Design::Space(sketch) => Shape::Space(sketch.curve()?),
             Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
-            Design::Net(net) => Shape::Surface(Box::new(net.surface()?)),
+            Design::Net(net) => Shape::Surface(net.surface()?),
         })
     }
 }

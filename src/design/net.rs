@@ -2,7 +2,7 @@
 
 use super::DesignError;
 use crate::file::{Method, Net, NetKind, NetSettings};
-use crate::geometry::{Border, Method as Formula, Point, Scheme, Surface, Topology};
+use crate::geometry::{Border, Method as Formula, ParamSurface, Point, Scheme, Surface, Topology};
 
 /// What part of a Hermite matrix a change is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,11 +120,11 @@ impl NetDesign {
     ///
     /// # Errors
     /// Those of [`NetDesign::scheme`], and of the geometry.
-    pub fn surface(&self) -> Result<Surface, DesignError> {
-        Ok(match self.scheme()? {
+    pub fn surface(&self) -> Result<Box<dyn ParamSurface>, DesignError> {
+        Ok(Box::new(match self.scheme()? {
             Some(scheme) => Surface::new(scheme, &self.net.points)?,
             None => Surface::hermite(&self.matrix()?)?,
-        })
+        }))
     }
 
     /// The surface as a model: that of a sphere is led to its poles, where the book's cubic B-spline leaves
@@ -132,10 +132,11 @@ impl NetDesign {
     ///
     /// # Errors
     /// As [`NetDesign::surface`].
-    pub fn solid(&self) -> Result<Surface, DesignError> {
+    pub fn solid(&self) -> Result<Box<dyn ParamSurface>, DesignError> {
         match self.scheme()? {
             Some(scheme) if scheme.topology == Topology::Sphere => {
-                Ok(Surface::new(Scheme { border: Border::Reached, ..scheme }, &self.net.points)?)
+                let reached = Scheme { border: Border::Reached, ..scheme };
+                Ok(Box::new(Surface::new(reached, &self.net.points)?))
             }
             _ => self.surface(),
         }

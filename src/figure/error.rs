@@ -56,6 +56,8 @@ pub enum FigureError {
         /// The highest that is written.
         most: usize,
     },
+    /// A surface that is no B-spline surface, so that it has no exact form in a file.
+    NoExactForm,
     /// The font or the PNG encoder refused; its own words.
     Encoding(String),
 }
@@ -93,6 +95,9 @@ impl fmt::Display for FigureError {
                 "the surface has the degree {given}, but CAD programs read at most {most}; a net of at most {} points a side, \
                  or another method than bezier, can be written",
                 most + 1
+            ),
+            Self::NoExactForm => f.write_str(
+                "the surface is no B-spline surface, so .step cannot hold it exactly; .obj, .stl and .ply hold a mesh of it",
             ),
             Self::Encoding(message) => write!(f, "the picture cannot be encoded: {message}"),
         }

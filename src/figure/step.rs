@@ -5,7 +5,7 @@
 
 use super::FigureError;
 use super::mesh::Mesh;
-use crate::geometry::{BSplineSurface, Point, Rim, Surface};
+use crate::geometry::{BSplineSurface, ParamSurface, Point, Rim};
 use std::fmt::{self, Write};
 
 /// The highest degree that Open CASCADE reads, the kernel of FreeCAD among others.
@@ -14,14 +14,14 @@ const MOST_DEGREES: usize = 25;
 const LOOK: usize = 4;
 
 /// A surface as the text of a STEP file with one product of that name. The control points and knots are those
-/// of [`Surface::to_bspline`]; numbers read back as the same double. A closed surface becomes a solid whose
+/// of [`ParamSurface::to_bspline`]; numbers read back as the same double. A closed surface becomes a solid whose
 /// face looks outwards. The same surface gives the same text: the file bears no date.
 ///
 /// # Errors
-/// [`FigureError::Degree`] for a Bézier net of more than 26 points a side, [`FigureError::NoTriangles`] for a
+/// [`FigureError::NoExactForm`] for a surface that is no B-spline surface, [`FigureError::Degree`] for a Bézier net of more than 26 points a side, [`FigureError::NoTriangles`] for a
 /// surface without area.
-pub fn surface_step(surface: &Surface, name: &str) -> Result<String, FigureError> {
-    let form = surface.to_bspline();
+pub fn surface_step(surface: &dyn ParamSurface, name: &str) -> Result<String, FigureError> {
+    let form = surface.to_bspline().ok_or(FigureError::NoExactForm)?;
     if let Some(&given) = form.degrees.iter().find(|&&degree| degree > MOST_DEGREES) {
         return Err(FigureError::Degree { given, most: MOST_DEGREES });
     }

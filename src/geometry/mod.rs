@@ -4,7 +4,9 @@
 //! The room holds mathematics only: no screen, no files, no state. Every piecewise method of the
 //! book (chapters 2.3 and 3) is linear in the control points and cubic at most, so it is a set of
 //! [`Weights`] fixed by the method, the ends and the number of points; weights times points are
-//! arcs. The Bézier curve by all points is one arc of any degree. Nothing here panics or answers
+//! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
+//! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
+//! points are a [`Basis`]. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
@@ -37,6 +39,7 @@
 //! ```
 
 mod arclen;
+mod basis;
 mod beta;
 mod bezier;
 mod bounds;
@@ -61,6 +64,7 @@ mod walk;
 mod weights;
 mod window;
 
+pub use basis::{Basis, Blend};
 pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
 pub use bounds::BoundingBox;
@@ -78,8 +82,8 @@ pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
-    BSplineSurface, Border, Derivatives, Grid, Patch, Plane, RefineDirection, Rim, Scheme, Surface,
-    SurfaceSample, Topology, refine, section,
+    BSplineSurface, Border, Derivatives, Grid, ParamSurface, Patch, Plane, RefineDirection, Rim, Scheme,
+    Surface, SurfaceSample, Topology, Weave, refine, section,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

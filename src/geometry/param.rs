@@ -91,18 +91,18 @@ pub trait ParamCurve<const D: usize>: fmt::Debug {
         Ok(points)
     }
 
-    /// The ends of the spans: the start of an open curve, and the last point of each span.
+    /// Where spans begin and end: joint `i` is where span `i` begins, and an open curve has one more where it ends.
     fn joints(&self) -> Vec<Point<D>> {
-        let start = if self.closed() { None } else { self.eval(0, 0.0) };
-        start.into_iter().chain((0..self.spans()).filter_map(|span| self.eval(span, 1.0))).collect()
+        let starts = (0..self.spans()).filter_map(|span| self.eval(span, 0.0));
+        let end = if self.closed() { None } else { self.eval(self.spans().saturating_sub(1), 1.0) };
+        starts.chain(end).collect()
     }
 
     /// A box round the curve; `None` without spans. Here the extreme points are searched between 16 steps of every
     /// span, and one between two that turn together may be missed; curves of polynomials and sines have a box
     /// that is never too small.
     fn bounding_box(&self) -> Option<BoundingBox<D>> {
-        let place = |span: usize, u: f64| self.at(span, u);
-        (0..self.spans()).filter_map(|span| box_of_span(&|u| place(span, u))).reduce(BoundingBox::union)
+        searched_box(self)
     }
 
     /// Cubic arcs that are nowhere further from the curve than `tolerance`, in the unit of the points; exactly,
@@ -113,18 +113,13 @@ pub trait ParamCurve<const D: usize>: fmt::Debug {
     /// A tolerance that is not positive, [`GeometryError::ToleranceTooSmall`] where arcs of a millionth of a span are
     /// not near enough, [`GeometryError::Overflow`]. Cubic curves take any tolerance.
     fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-        check_tolerance(tolerance)?;
-        let mut arcs = Vec::new();
-        for span in 0..self.spans() {
-            add_cubics(&|u| self.eval(span, u), tolerance, &mut arcs)?;
-        }
-        check_arcs(arcs)
+        followed(self, tolerance)
     }
 
     /// The curve's length, every span with an absolute error of about `accuracy`, which is not taken smaller
     /// than 1e-14 of the length (so 0 and NaN ask for the best possible).
     fn length(&self, accuracy: f64) -> f64 {
-        (0..self.spans()).map(|span| length_of_span(&|u| self.at(span, u), accuracy)).sum()
+        measured(self, accuracy)
     }
 }
 
@@ -163,6 +158,29 @@ fn check_samples(spans: usize, per_span: usize) -> Result<usize, GeometryError> 
         return Err(GeometryError::Samples { per_span, most });
     }
     Ok(spans * (per_span + 1))
+}
+
+/// The box of a curve by search: [`ParamCurve::bounding_box`] where a curve has no better one.
+pub(super) fn searched_box<const D: usize>(curve: &(impl ParamCurve<D> + ?Sized)) -> Option<BoundingBox<D>> {
+    (0..curve.spans()).filter_map(|span| box_of_span(&|u| curve.at(span, u))).reduce(BoundingBox::union)
+}
+
+/// Cubic arcs that follow a curve: [`ParamCurve::to_cubics`] where a curve has no better ones.
+pub(super) fn followed<const D: usize>(
+    curve: &(impl ParamCurve<D> + ?Sized),
+    tolerance: f64,
+) -> Result<Vec<CubicBezier<D>>, GeometryError> {
+    check_tolerance(tolerance)?;
+    let mut arcs = Vec::new();
+    for span in 0..curve.spans() {
+        add_cubics(&|u| curve.eval(span, u), tolerance, &mut arcs)?;
+    }
+    check_arcs(arcs)
+}
+
+/// The length of a curve by its speed: [`ParamCurve::length`] where a curve has no better one.
+pub(super) fn measured<const D: usize>(curve: &(impl ParamCurve<D> + ?Sized), accuracy: f64) -> f64 {
+    (0..curve.spans()).map(|span| length_of_span(&|u| curve.at(span, u), accuracy)).sum()
 }
 
 /// A span as a function of its parameter.

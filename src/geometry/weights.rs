@@ -20,6 +20,7 @@ use super::{CubicBezier, GeometryError, Point};
 #[derive(Clone, Debug)]
 pub struct Weights {
     points: usize,
+    closed: bool,
     rule: Rule,
 }
 
@@ -52,7 +53,7 @@ impl Weights {
             Some(windows) => Rule::Windows(windows),
             None => other_rule(method, ends, points)?,
         };
-        Ok(Self { points, rule })
+        Ok(Self { points, closed: ends == Ends::Closed, rule })
     }
 
     /// The number of control points these weights are for.
@@ -67,6 +68,27 @@ impl Weights {
         match &self.rule {
             Rule::Windows(windows) => windows.len(),
             Rule::Spline(spline) => spline.spans(),
+        }
+    }
+
+    /// Whether the curves return to their beginning.
+    #[must_use]
+    pub fn closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The first control point that a span sees, and the Bernstein coefficients of its weight and of its
+    /// followers'; after the last point comes the first again. `None` outside the spans.
+    pub(super) fn functions(&self, span: usize) -> Option<(usize, Vec<[f64; 4]>)> {
+        match &self.rule {
+            Rule::Windows(windows) => windows.get(span).map(Window::functions),
+            Rule::Spline(spline) if span < spline.spans() => {
+                let rows: [Vec<f64>; 4] = std::array::from_fn(|coefficient| spline.row(span, coefficient));
+                let [a, b, c, d] = &rows;
+                let columns = a.iter().zip(b).zip(c).zip(d).map(|(((a, b), c), d)| [*a, *b, *c, *d]);
+                Some((0, columns.collect()))
+            }
+            Rule::Spline(_) => None,
         }
     }
 

@@ -43,6 +43,21 @@ impl Window {
         Some(CubicBezier { p })
     }
 
+    /// The first point of the window, and the Bernstein coefficients of its weight and of its followers', each point
+    /// once.
+    pub(super) fn functions(&self) -> (usize, Vec<[f64; 4]>) {
+        let mut functions: Vec<(usize, [f64; 4])> = Vec::with_capacity(4);
+        for (j, &at) in self.at.iter().enumerate() {
+            let column = self.rows.map(|row| row[j]);
+            // Ends are held, and few points come round: a point may be here twice.
+            match functions.iter_mut().find(|(known, _)| *known == at) {
+                Some((_, sums)) => sums.iter_mut().zip(column).for_each(|(sum, weight)| *sum += weight),
+                None => functions.push((at, column)),
+            }
+        }
+        (self.at[0], functions.into_iter().map(|(_, function)| function).collect())
+    }
+
     /// The weights of one Bernstein coefficient, spread over all `n` control points.
     pub(super) fn row(&self, coefficient: usize, n: usize) -> Option<Vec<f64>> {
         let mut row = vec![0.0; n];

@@ -4,7 +4,7 @@ use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
 #[cfg(feature = "window")]
 use crate::display::window;
-use crate::machine::{Recorder, Script, Session, play};
+use crate::machine::{Manner, Recorder, Script, Session, play};
 use std::fs::File;
 use std::io::{IsTerminal, Read};
 use std::path::Path;
@@ -12,7 +12,7 @@ use std::path::Path;
 /// Shows a session until it has ended.
 pub(super) fn show(mut session: Session, name: &str, options: &RunOptions) -> Result<(), Failure> {
     if let Some(path) = &options.record {
-        session.record(recorder(path, name, &session)?);
+        session.record(recorder(path, name, &session, options)?);
     }
     let shown = match (&options.script, options.display) {
         (Some(path), _) => run_script(&mut session, path),
@@ -51,9 +51,10 @@ fn path_of(path: Option<&Path>) -> String {
     path.map(|path| path.display().to_string()).unwrap_or_default()
 }
 
-fn recorder(path: &Path, name: &str, session: &Session) -> Result<Recorder, Failure> {
+fn recorder(path: &Path, name: &str, session: &Session, options: &RunOptions) -> Result<Recorder, Failure> {
     let file = File::create(path).map_err(|error| Failure::work(format!("{}: {error}", path.display())))?;
-    let comment = format!("{name} --lang {}", session.language().code());
+    let manner = if options.manner() == Manner::Today { "today" } else { "1997" };
+    let comment = format!("{name} --lang {} --manner {manner}", session.language().code());
     Ok(Recorder::new(Box::new(file), &comment))
 }
 

@@ -2,7 +2,7 @@
 
 use super::config;
 use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
-use crate::machine::{Language, Machine, Preferences, Settings, Shown};
+use crate::machine::{Language, Machine, Manner, Preferences, Settings, Shown};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -31,6 +31,14 @@ impl Code {
             Language::English => Code::En,
         }
     }
+}
+
+/// How a program behaves, by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MannerName {
+    Today,
+    #[value(name = "1997")]
+    Original,
 }
 
 /// A program's command line.
@@ -64,6 +72,9 @@ pub struct RunOptions {
     /// Where random numbers start from
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
+    /// Behaviour; without it that of 1997 in scripts, else that of today
+    #[arg(long, value_enum, value_name = "MANNER")]
+    manner: Option<MannerName>,
     /// What the user has chosen for all programs, once it has been looked up.
     #[arg(skip)]
     preferences: Option<Preferences>,
@@ -77,6 +88,15 @@ impl RunOptions {
             Some(Code::En) => Language::English,
             None if self.script.is_some() => Language::Hungarian,
             None => locale_language(),
+        }
+    }
+
+    /// How programs behave: as asked for, as in 1997 in scripts, else as today.
+    pub(super) fn manner(&self) -> Manner {
+        match self.manner {
+            Some(MannerName::Today) => Manner::Today,
+            None if self.script.is_none() => Manner::Today,
+            Some(MannerName::Original) | None => Manner::Original,
         }
     }
 
@@ -123,7 +143,7 @@ impl RunOptions {
     /// would not come again when it is replayed.
     pub(super) fn machine(&self, folder: PathBuf) -> Machine {
         let seed = self.seed.unwrap_or(Settings::default().seed);
-        let settings = Settings { language: self.language(), seed };
+        let settings = Settings { language: self.language(), seed, manner: self.manner() };
         let recovery = || {
             let offers = if self.record.is_some() { Offers::Nothing } else { Offers::Lost };
             RecoveryFolder::new(UserFolder::State.path(), &folder, offers)

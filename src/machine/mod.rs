@@ -96,6 +96,16 @@ impl Language {
     }
 }
 
+/// How a program behaves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Manner {
+    /// As the originals did, faults aside: for scripts, which are to give the same as then.
+    #[default]
+    Original,
+    /// As users expect today.
+    Today,
+}
+
 /// The mouse pointer that a program wants to be shown.
 #[derive(Clone, Copy, Debug)]
 pub enum Pointer {
@@ -112,11 +122,13 @@ pub struct Settings {
     pub language: Language,
     /// Where random numbers start from.
     pub seed: u64,
+    /// How programs behave.
+    pub manner: Manner,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { language: Language::default(), seed: 1 }
+        Settings { language: Language::default(), seed: 1, manner: Manner::default() }
     }
 }
 
@@ -129,6 +141,7 @@ pub struct Machine {
     keeper: Option<Box<dyn Keeper>>,
     file: Option<String>,
     seed: u64,
+    manner: Manner,
     film: Option<Film>,
     visit: Visit,
 }
@@ -166,6 +179,7 @@ impl Machine {
             keeper: None,
             file: None,
             seed: settings.seed,
+            manner: settings.manner,
             film: None,
             visit: Visit::None,
         }
@@ -223,6 +237,11 @@ impl Machine {
     /// Where random numbers start from (`--seed`).
     pub fn seed(&self) -> u64 {
         self.seed
+    }
+
+    /// How programs behave (`--manner`).
+    pub fn manner(&self) -> Manner {
+        self.manner
     }
 
     /// Where the mouse is and what it holds.

@@ -5,7 +5,7 @@ use super::files::{Files, dos_files, json_name, read_document, with_json, with_t
 use super::{History, rescue};
 use crate::design;
 use crate::file::{Document, FileKind, Format, Method};
-use crate::machine::{Asked, Asking, Key, Stop, Storage};
+use crate::machine::{Asked, Asking, Key, Manner, Stop, Storage};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
 use serde::Serialize;
@@ -295,12 +295,14 @@ async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> 
     if files.is_err() || (lost.is_empty() && !known) {
         return Ok(files);
     }
-    let wanted = match known {
-        true => true,
-        false => {
+    let wanted = match desk.machine.manner() {
+        _ if known => true,
+        Manner::Today => {
             let facts = words::not_held(format, &lost, &json);
             desk.ask_about(state, &facts, words::ASK_JSON).await? == Answer::First
         }
+        // The originals know nothing of joints and have no question.
+        Manner::Original => lost.iter().any(|name| name == "joints"),
     };
     Ok(files.and_then(|mut files| {
         files.extend(wanted.then(|| state.json(&json)).transpose()?);

@@ -9,7 +9,7 @@ use grafika::figure::{
     surface_step, tolerance,
 };
 use grafika::file::SPACE_VIEW;
-use grafika::geometry::{BoundingBox, Closure, CubicBezier, Point, Surface, View};
+use grafika::geometry::{BoundingBox, Closure, CubicBezier, ParamSurface, Point, View};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
@@ -69,7 +69,7 @@ impl Render {
     /// What is written.
     fn content(&self, design: Design, shape: &Shape, format: Format) -> Result<Vec<u8>, Failure> {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
-            return self.surface(net, surface, format);
+            return self.surface(net, &**surface, format);
         }
         if format.is_model() {
             let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
@@ -116,7 +116,12 @@ impl Render {
     }
 
     /// A surface in any format.
-    fn surface(&self, net: &NetDesign, surface: &Surface, format: Format) -> Result<Vec<u8>, Failure> {
+    fn surface(
+        &self,
+        net: &NetDesign,
+        surface: &dyn ParamSurface,
+        format: Format,
+    ) -> Result<Vec<u8>, Failure> {
         let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
         if !format.is_model() {
             return self.picture(&self.wireframe(net, surface, steps)?, format);
@@ -134,7 +139,7 @@ impl Render {
         let surface = net.solid().map_err(Failure::work)?;
         if matches!(format, Format::Step) {
             let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
-            return surface_step(&surface, &name.unwrap_or_default())
+            return surface_step(&*surface, &name.unwrap_or_default())
                 .map(String::into_bytes)
                 .map_err(Failure::work);
         }
@@ -148,7 +153,12 @@ impl Render {
     }
 
     /// The visible lines of a surface, with its net over them.
-    fn wireframe(&self, net: &NetDesign, surface: &Surface, steps: usize) -> Result<Figure, Failure> {
+    fn wireframe(
+        &self,
+        net: &NetDesign,
+        surface: &dyn ParamSurface,
+        steps: usize,
+    ) -> Result<Figure, Failure> {
         let view = View::from_direction(self.view.unwrap_or(net.net.kind.view()));
         let grid = surface.grid(steps).map_err(Failure::work)?;
         let mut figure = self.titled();

@@ -466,8 +466,8 @@ impl Ambient<2> for Curves<2> {
         editor.open_workshop(desk).await
     }
 
-    fn draw(_: &Editor<Curves<2>, 2>, layer: Layer, page: &mut Page<'_>) {
-        if layer == Layer::Under {
+    fn draw(editor: &Editor<Curves<2>, 2>, layer: Layer, page: &mut Page<'_>) {
+        if layer == Layer::Under && !editor.stage.is_result() {
             page.screen.text(607, 67, words::STORE.of(page.language), Color::White);
         }
     }

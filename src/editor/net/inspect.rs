@@ -5,7 +5,7 @@ use super::Nets;
 use super::surface::{Drawn, draw_cells};
 use crate::editor::Editor;
 use crate::editor::look::Look;
-use crate::geometry::{Plane, Point, Surface, section};
+use crate::geometry::{ParamSurface, Plane, Point, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::{Desk, Stay, words};
@@ -95,14 +95,14 @@ impl Section {
     pub(super) fn lines(self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
         let mut normal = [0.0; 3];
         normal[self.axis.min(2)] = 1.0;
-        section(&drawn.surface, Plane { normal, offset: self.offset }, drawn.steps).unwrap_or_default()
+        section(&*drawn.surface, Plane { normal, offset: self.offset }, drawn.steps).unwrap_or_default()
     }
 }
 
 impl Inspection {
     /// Draws a surface in colours; `false` if nothing is inspected.
     pub(super) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look) -> bool {
-        let surface = &drawn.surface;
+        let surface = &*drawn.surface;
         let [rows, columns] = surface.spans();
         let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
         let Ok(grid) = surface.grid(steps) else { return false };
@@ -121,13 +121,17 @@ impl Inspection {
 
 /// The middle of a cell of a grid.
 struct Place<'s> {
-    surface: &'s Surface,
+    surface: &'s dyn ParamSurface,
     spans: [usize; 2],
     parameters: [f64; 2],
 }
 
 /// The middles of all cells of a surface's grid, in the order of its cells.
-fn places(surface: &Surface, steps: usize, [rows, columns]: [usize; 2]) -> impl Iterator<Item = Place<'_>> {
+fn places(
+    surface: &dyn ParamSurface,
+    steps: usize,
+    [rows, columns]: [usize; 2],
+) -> impl Iterator<Item = Place<'_>> {
     let [u, v] = [surface.line_places(0, steps), surface.line_places(1, steps)];
     (1..rows).flat_map(move |k| {
         let (u, v) = (u.clone(), v.clone());
@@ -140,8 +144,7 @@ fn places(surface: &Surface, steps: usize, [rows, columns]: [usize; 2]) -> impl 
 
 impl Place<'_> {
     fn zebra(&self, toward: Point<3>) -> Color {
-        let ([i, j], [u, v]) = (self.spans, self.parameters);
-        let Some(normal) = self.surface.normal(i, j, u, v) else {
+        let Some(normal) = self.surface.normal(self.spans, self.parameters) else {
             return FLAT;
         };
         let cosine: f64 = normal.iter().zip(toward).map(|(a, b)| a * b).sum();
@@ -150,8 +153,9 @@ impl Place<'_> {
     }
 
     fn curvature(&self, size: f64) -> Color {
-        let ([i, j], [u, v]) = (self.spans, self.parameters);
-        let Some(curvature) = self.surface.gaussian_curvature(i, j, u, v) else { return FLAT };
+        let Some(curvature) = self.surface.gaussian_curvature(self.spans, self.parameters) else {
+            return FLAT;
+        };
         // A ball as large as the surface has curvature 4 in this unit.
         let relative = curvature * size * size;
         let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();

@@ -199,7 +199,7 @@ fn border_lines(net: &NetDesign) -> Vec<(Point<3>, Point<3>)> {
         for step in 0..=BORDER_STEPS {
             let t = step as f64 / BORDER_STEPS as f64;
             let (u, v) = if along_u { (t, side) } else { (side, t) };
-            let Some(at) = surface.derivatives(0, 0, u, v) else { continue };
+            let Some(at) = surface.at([0, 0], [u, v]) else { continue };
             let across = if along_u { at.v } else { at.u };
             let tip = std::array::from_fn(|d| at.point[d] + TANGENT * across[d]);
             lines.push((at.point, tip));

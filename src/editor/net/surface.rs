@@ -4,7 +4,7 @@ use super::Nets;
 use super::plan::Family;
 use crate::design::{DesignError, NetDesign};
 use crate::editor::look::Look;
-use crate::geometry::{DepthBuffer, Grid, Point, Surface, Vertex, dot};
+use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex, dot};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::words;
@@ -30,9 +30,9 @@ impl Display {
 }
 
 /// A surface with the points that it is drawn by.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Drawn {
-    pub(super) surface: Surface,
+    pub(super) surface: Box<dyn ParamSurface>,
     pub(super) grid: Grid,
     /// Steps that a cell of the net has in the grid.
     pub(super) steps: usize,

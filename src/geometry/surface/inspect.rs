@@ -2,7 +2,8 @@
 //! derivatives alone have none, at the poles of a sphere's net and beside coinciding control points. There
 //! they are limits along short ways into the patch.
 
-use super::{Body, Derivatives, Surface};
+use super::Derivatives;
+use crate::geometry::param::clipped;
 use crate::geometry::point::{norm, scaled_difference};
 use crate::geometry::{Point, cross, dot};
 
@@ -18,56 +19,24 @@ const STEP: f64 = 1.0 / 1024.0;
 /// Where ways into the patch lead to; several, as one may run along a line without normals.
 const TARGETS: [[f64; 2]; 5] = [[0.5, 0.5], [0.25, 0.6], [0.7, 0.35], [0.1, 0.15], [0.85, 0.9]];
 
-impl Surface {
-    /// The unit normal at a place as in [`Surface::eval`], in the direction of r_u x r_v. Where these two span
-    /// no plane, as at a pole, it is the limit along a way into the patch, to about 1e-8.
-    ///
-    /// `None` outside the spans, and where the patch is no more than a line or a point.
-    #[must_use]
-    pub fn normal(&self, i: usize, j: usize, u: f64, v: f64) -> Option<Point<3>> {
-        let size = self.largest_coordinate(i, j)?;
-        let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
-        let at = |u: f64, v: f64| clear_normal(&self.derivatives(i, j, u, v)?, size);
-        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| normal_limit(at, way([u, v], target)?)))
-    }
+/// The derivatives of a patch at a place.
+type Patch<'a> = &'a dyn Fn([f64; 2]) -> Option<Derivatives>;
 
-    /// The Gaussian curvature at a place as in [`Surface::eval`], as [`Derivatives::gaussian_curvature`]; at a
-    /// pole its limit along a way into the patch, to about 1e-5 of itself. Limits along other ways are the same
-    /// only where the surface is smooth enough.
-    ///
-    /// `None` where [`Surface::normal`] is, and where the curvature grows without limit.
-    #[must_use]
-    pub fn gaussian_curvature(&self, i: usize, j: usize, u: f64, v: f64) -> Option<f64> {
-        let size = self.largest_coordinate(i, j)?;
-        let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
-        let at = |u: f64, v: f64| {
-            let derivatives = self.derivatives(i, j, u, v)?;
-            clear_normal(&derivatives, size).and_then(|_| derivatives.gaussian_curvature())
-        };
-        at(u, v).or_else(|| TARGETS.iter().find_map(|&target| curvature_limit(at, way([u, v], target)?)))
-    }
+/// The unit normal, or its limit; coordinates are as large as `size`.
+pub(super) fn normal(patch: Patch<'_>, size: f64, uv: [f64; 2]) -> Option<Point<3>> {
+    let uv = uv.map(clipped);
+    let at = |uv: [f64; 2]| clear_normal(&patch(uv)?, size);
+    at(uv).or_else(|| TARGETS.iter().find_map(|&target| normal_limit(at, way(uv, target)?)))
+}
 
-    /// The brightness of a place in parallel light: the cosine of the angle between the normal and the
-    /// direction to the light, -1 to 1. Lines of equal brightness are isophotes; they have a corner where
-    /// the tangent plane is continuous, but the curvature is not.
-    ///
-    /// `None` where [`Surface::normal`] is, and when the direction has no length.
-    #[must_use]
-    pub fn brightness(&self, i: usize, j: usize, u: f64, v: f64, light: Point<3>) -> Option<f64> {
-        let length = norm(light);
-        let normal = self.normal(i, j, u, v)?;
-        let cosine = dot(normal, light.map(|x| x / length));
-        cosine.is_finite().then(|| cosine.clamp(-1.0, 1.0))
-    }
-
-    /// The largest coordinate of a patch's control points: what rounding is measured by.
-    fn largest_coordinate(&self, i: usize, j: usize) -> Option<f64> {
-        let largest = |m: f64, p: &Point<3>| p.iter().fold(m, |m, x| m.max(x.abs()));
-        match &self.body {
-            Body::Patches(_) => Some(self.patch(i, j)?.p.iter().flatten().fold(0.0, largest)),
-            Body::Bezier(net) => Some(net.iter().flatten().fold(0.0, largest)),
-        }
-    }
+/// The Gaussian curvature, or its limit.
+pub(super) fn gaussian_curvature(patch: Patch<'_>, size: f64, uv: [f64; 2]) -> Option<f64> {
+    let uv = uv.map(clipped);
+    let at = |uv: [f64; 2]| {
+        let derivatives = patch(uv)?;
+        clear_normal(&derivatives, size).and_then(|_| derivatives.gaussian_curvature())
+    };
+    at(uv).or_else(|| TARGETS.iter().find_map(|&target| curvature_limit(at, way(uv, target)?)))
 }
 
 /// The normal of derivatives that are certainly more than rounding.
@@ -96,8 +65,8 @@ fn before([a, b, c, d]: [f64; 4]) -> f64 {
 }
 
 /// The normal where a way begins; `None` when one is missing on it, or they turn too fast to have a limit.
-fn normal_limit(at: impl Fn(f64, f64) -> Option<Point<3>>, way: [[f64; 2]; 4]) -> Option<Point<3>> {
-    let [a, b, c, d] = way.map(|[u, v]| at(u, v));
+fn normal_limit(at: impl Fn([f64; 2]) -> Option<Point<3>>, way: [[f64; 2]; 4]) -> Option<Point<3>> {
+    let [a, b, c, d] = way.map(at);
     let (a, b, c, d) = (a?, b?, c?, d?);
     if [b, c, d].iter().any(|&other| dot(a, other) < 0.9) {
         return None;
@@ -108,8 +77,8 @@ fn normal_limit(at: impl Fn(f64, f64) -> Option<Point<3>>, way: [[f64; 2]; 4]) -
 }
 
 /// The curvature where a way begins; `None` when one is missing on it, or they grow too fast to have a limit.
-fn curvature_limit(at: impl Fn(f64, f64) -> Option<f64>, way: [[f64; 2]; 4]) -> Option<f64> {
-    let [a, b, c, d] = way.map(|[u, v]| at(u, v));
+fn curvature_limit(at: impl Fn([f64; 2]) -> Option<f64>, way: [[f64; 2]; 4]) -> Option<f64> {
+    let [a, b, c, d] = way.map(at);
     let values = [a?, b?, c?, d?];
     let largest = values.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let start = before(values);

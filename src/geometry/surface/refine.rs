@@ -62,7 +62,7 @@ enum Closing {
 /// - Bézier nets: by raising the degree.
 ///
 /// ```
-/// use grafika::geometry::{Method, RefineDirection, Scheme, Surface, Topology, refine};
+/// use grafika::geometry::{Method, ParamSurface, RefineDirection, Scheme, Surface, Topology, refine};
 ///
 /// let net: Vec<Vec<[f64; 3]>> =
 ///     (0..4).map(|k| (0..3).map(|l| [f64::from(k), f64::from(l), f64::from(k * l)]).collect()).collect();
@@ -70,7 +70,7 @@ enum Closing {
 /// let finer = refine(scheme, &net, RefineDirection::U)?;
 /// assert_eq!((finer.len(), finer[0].len()), (7, 3));
 /// let (before, after) = (Surface::new(scheme, &net)?, Surface::new(scheme, &finer)?);
-/// assert_eq!(before.eval(1, 0, 0.5, 0.0), after.eval(3, 0, 0.0, 0.0));
+/// assert_eq!(before.eval([1, 0], [0.5, 0.0]), after.eval([3, 0], [0.0, 0.0]));
 /// # Ok::<(), grafika::geometry::GeometryError>(())
 /// ```
 ///

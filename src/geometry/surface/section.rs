@@ -6,7 +6,7 @@
 //! however the plane touches the surface. What is smaller than a cell of the grid may be missed, and a part of
 //! the surface that lies in the plane has no section but its border towards what is below.
 
-use super::{Direction, Grid, Surface};
+use super::{Grid, ParamSurface};
 use crate::geometry::point::{check_points, lerp, norm, scaled_difference};
 use crate::geometry::{GeometryError, Point, dot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -82,7 +82,7 @@ const ROUNDS: usize = 80;
 /// [`GeometryError::Samples`] for no steps at all or too many places; a normal without length, coordinates that
 /// are not finite.
 pub fn section(
-    surface: &Surface,
+    surface: &dyn ParamSurface,
     plane: Plane,
     per_cell: usize,
 ) -> Result<Vec<Vec<Point<3>>>, GeometryError> {
@@ -106,16 +106,9 @@ struct Lines {
 }
 
 impl Lines {
-    fn new(direction: &Direction, per_cell: usize) -> Self {
-        let span = |span: usize| {
-            let steps = direction.steps(span, per_cell);
-            (0..steps).map(move |step| (span, step as f64 / steps as f64))
-        };
-        let mut places: Vec<_> = (0..direction.spans).flat_map(span).collect();
-        if !direction.closed {
-            places.push((direction.spans.saturating_sub(1), 1.0));
-        }
-        Self { places, closed: direction.closed }
+    fn new(surface: &dyn ParamSurface, direction: usize, per_cell: usize) -> Self {
+        let closed = surface.closed().get(direction).copied().unwrap_or(false);
+        Self { places: surface.lines(direction, per_cell), closed }
     }
 
     fn cells(&self) -> usize {
@@ -140,7 +133,7 @@ type Edge = usize;
 
 /// Heights over the plane of the places of a grid.
 struct Mesh<'a> {
-    surface: &'a Surface,
+    surface: &'a dyn ParamSurface,
     plane: Plane,
     lines: [Lines; 2],
     /// Of every place, row by row: whether it is on the plane or above it.
@@ -150,9 +143,9 @@ struct Mesh<'a> {
 }
 
 impl<'a> Mesh<'a> {
-    fn new(surface: &'a Surface, plane: Plane, per_cell: usize) -> Result<Self, GeometryError> {
+    fn new(surface: &'a dyn ParamSurface, plane: Plane, per_cell: usize) -> Result<Self, GeometryError> {
         let grid = surface.grid(per_cell)?;
-        let lines = surface.directions.each_ref().map(|direction| Lines::new(direction, per_cell));
+        let lines = [0, 1].map(|direction| Lines::new(surface, direction, per_cell));
         let size = surface.bounding_box().map_or(0.0, |bounds| {
             bounds.min.iter().chain(&bounds.max).fold(plane.offset.abs(), |m, x| m.max(x.abs()))
         });
@@ -245,7 +238,7 @@ impl<'a> Mesh<'a> {
         let middle = || {
             let (i, [u0, u1]) = self.lines[0].step(k)?;
             let (j, [v0, v1]) = self.lines[1].step(l)?;
-            self.surface.eval(i, j, 0.5 * (u0 + u1), 0.5 * (v0 + v1))
+            self.surface.eval([i, j], [0.5 * (u0 + u1), 0.5 * (v0 + v1)])
         };
         middle().is_none_or(|point| self.height(point) >= 0.0)
     }
@@ -288,11 +281,7 @@ impl<'a> Mesh<'a> {
     /// A point of the plane on the way from a place to another of the same patch, by the method of false
     /// position, whose older end counts half when it stays (Illinois).
     fn search(&self, from: Place, to: [f64; 2]) -> Option<Point<3>> {
-        let [i, j] = from.span;
-        let at = |way: f64| {
-            let [u, v] = lerp(from.at, to, way);
-            self.surface.eval(i, j, u, v)
-        };
+        let at = |way: f64| self.surface.eval(from.span, lerp(from.at, to, way));
         let (mut near, mut far) = ((0.0, at(0.0)?), (1.0, at(1.0)?));
         let mut heights = [self.height(near.1), self.height(far.1)];
         for round in 0..ROUNDS {

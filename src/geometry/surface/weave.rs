@@ -1,7 +1,8 @@
 //! From a net to patches: weights along `v` for every row, then weights along `u` for every column of the
 //! results. What happens at borders, poles and seams is decided here and nowhere else.
 
-use super::{Border, Direction, Patch, Scheme, Topology};
+use super::Patch;
+use super::scheme::{Border, Direction, Scheme, Topology};
 use crate::geometry::point::add_scaled;
 use crate::geometry::{CubicBezier, Ends, GeometryError, Method, Point, Weights};
 
