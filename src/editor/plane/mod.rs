@@ -172,12 +172,15 @@ impl Configuration for Editor {
         if let Some(remark) = self.remark.take() {
             desk.tell(remark, Stay::UntilRead);
         }
+        // As in the original the store is empty while this is asked after an action, but not at the start.
+        let mut offering = Stage::Working;
         loop {
-            self.stage = Stage::Working;
+            self.stage = std::mem::replace(&mut offering, Stage::Offering);
             if std::mem::take(&mut self.offer_tangents) {
                 configuration::keep(self, desk);
                 self.offer_automatic_tangents(desk).await?;
             }
+            self.stage = Stage::Working;
             let tick = event(self, desk).await?;
             if self.held.is_some() {
                 self.drag(desk, &tick);

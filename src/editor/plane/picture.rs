@@ -121,7 +121,7 @@ impl Editor {
         for (index, &point) in sketch.points().iter().enumerate() {
             control_point(screen, held_at(Handle::Point(index)).unwrap_or(point), index + 1);
         }
-        let stored = !matches!(self.stage, Stage::Starting { .. } | Stage::Result { .. });
+        let stored = !matches!(self.stage, Stage::Starting { .. } | Stage::Offering | Stage::Result { .. });
         if stored && !sketch.drawing.full() {
             let at = held_at(Handle::Point(self.count())).unwrap_or(STORE_AT);
             control_point(screen, at, self.count() + 1);
