@@ -31,6 +31,11 @@ pub(crate) enum Allowance {
 /// why. An entry that is not needed is an error, so that none is left behind.
 const STRAYS_EXPECTED: &[(&str, usize, &str)] = &[
     ("BILIARD_s2_ghost_at_560_246", 460, "ours has an aiming line"),
+    (
+        "F_P_BETS_A_eltolas",
+        650,
+        "the original leaves the auxiliary points of the border where a change was; see F_P_BETSX",
+    ),
     ("F_P_HERM_Q_file", 5900, POLES),
     ("F_P_HERM_Q_mentes", 5900, POLES),
     ("F_P_HERM_Q_utan", 3500, POLES),
@@ -124,7 +129,7 @@ impl Reference {
 
 /// Plays every script of a folder whose name begins so, and compares the screens. Returns how many
 /// there were and the problems.
-fn compare_all(
+pub(crate) fn compare_all(
     program: Program,
     folder: &str,
     prefix: &str,
