@@ -29,9 +29,7 @@ use common::shelf::{Item, Shelf};
 use common::{Kept, pictures};
 use grafika::file::{Document, Format};
 use grafika::launch::Program;
-use grafika::machine::{
-    Language, Machine, Memory, Script, Session, Settings, Storage, StorageError, Work, play, sample,
-};
+use grafika::machine::{Language, Machine, Memory, Script, Session, Settings, Storage, Work, play, sample};
 use serde_json::Value;
 use std::cell::RefCell;
 use std::rc::Rc;

@@ -85,7 +85,7 @@ impl<P: Place> Drawing<P> {
         let mut points = self.points.clone();
         match edit {
             Edit::Insert(index, point) if !self.full() => {
-                points.insert(index.min(points.len()), point.nearest())
+                points.insert(index.min(points.len()), point.nearest());
             }
             Edit::Move(index, point) if index < points.len() => points[index] = point.nearest(),
             Edit::Delete(index) if index < points.len() => {

@@ -38,7 +38,7 @@ impl Editor {
                 .and_then(|digit| (digit as usize).checked_sub(1));
             match clicked.or(typed).and_then(|index| Kind::ALL.get(index)) {
                 Some(&(kind, ..)) if self.compared.contains(&kind) => {
-                    self.compared.retain(|&other| other != kind)
+                    self.compared.retain(|&other| other != kind);
                 }
                 Some(&(kind, ..)) => self.compared.push(kind),
                 None if matches!(tick.key(), Some(Key::Enter | Key::Esc | Key::F(4))) => {
