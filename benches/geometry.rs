@@ -71,7 +71,7 @@ fn weights(c: &mut Criterion) {
         c.bench_function(&format!("weights of 99 points/{name}"), |b| b.iter(new));
         let weights = new();
         c.bench_function(&format!("arcs of 99 points/{name}"), |b| {
-            b.iter(|| weights.arcs(black_box(&points)))
+            b.iter(|| weights.arcs(black_box(&points)));
         });
     }
 }

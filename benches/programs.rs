@@ -123,7 +123,7 @@ fn start(c: &mut Criterion) {
 fn reading(c: &mut Criterion) {
     let content = stored().read("ROSE.IP2").expect("it was stored");
     c.bench_function("read an .IP2", |bencher| {
-        bencher.iter(|| Document::read(Format::Ip2, black_box(&content)))
+        bencher.iter(|| Document::read(Format::Ip2, black_box(&content)));
     });
 }
 

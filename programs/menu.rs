@@ -179,7 +179,7 @@ impl Picture for Menu {
         for (area, line) in lines() {
             match line {
                 Line::Group(group) => {
-                    screen.text(area.x1, area.y1 + 1, group.name.of(language), Color::LightMagenta)
+                    screen.text(area.x1, area.y1 + 1, group.name.of(language), Color::LightMagenta);
                 }
                 Line::Program(index) => self.draw_line(screen, area, index),
             }

@@ -1,7 +1,7 @@
 //! What a desktop and a package are told: the files in `data/desktop/` are those that `examples/make_desktop.rs`
 //! makes, and the manifest names every program.
 
-#[allow(dead_code)] // its main function
+#[allow(dead_code, reason = "its main function")]
 #[path = "../examples/make_desktop.rs"]
 mod make_desktop;
 

@@ -1,6 +1,6 @@
 //! The sample files in `data/` are those that `examples/make_samples.rs` makes.
 
-#[allow(dead_code)] // its main function
+#[allow(dead_code, reason = "its main function")]
 #[path = "../examples/make_samples.rs"]
 mod make_samples;
 

@@ -11,9 +11,21 @@ struct Reference {
     nodes: Vec<(usize, usize, Point<3>)>,
 }
 
+/// The text of a file packed by `gzip -n`, which writes ten bytes before the deflated text, and behind it
+/// a check sum and the length.
+fn unpacked(packed: &[u8]) -> Option<String> {
+    let (head, rest) = packed.split_at_checked(10)?;
+    let (deflated, tail) = rest.split_at_checked(rest.len().checked_sub(8)?)?;
+    let text = miniz_oxide::inflate::decompress_to_vec(deflated).ok()?;
+    let length = u32::from_le_bytes(tail[4..].try_into().ok()?);
+    let is_whole = head[..4] == [0x1f, 0x8b, 8, 0] && text.len() == length as usize;
+    is_whole.then(|| String::from_utf8(text).ok())?
+}
+
 fn reference(name: &str, [rows, columns]: [usize; 2]) -> Reference {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/surfaces/grids").join(name);
-    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let packed = std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let text = unpacked(&packed).unwrap_or_else(|| panic!("{}: not packed by gzip -n", path.display()));
     let mut reference =
         Reference { net: vec![vec![[0.0; 3]; columns]; rows], parameters: [0.0; 6], nodes: Vec::new() };
     for line in text.lines() {
@@ -78,7 +90,7 @@ fn meshes_are_those_of_the_originals() {
         ("ZY_BETSP_edited", [8, 5], 10, Torus, &beta),
     ];
     for (name, shape, steps, topology, methods) in cases {
-        let reference = reference(&format!("{name}.csv"), shape);
+        let reference = reference(&format!("{name}.csv.gz"), shape);
         let [u, v] = methods(&reference.parameters);
         let surface =
             Surface::new(Scheme { u, v, topology, border: Border::Doubled }, &reference.net).unwrap();
@@ -89,7 +101,7 @@ fn meshes_are_those_of_the_originals() {
 #[test]
 fn hermite_patches_are_those_of_the_original() {
     for name in ["F_P_HERM_default", "F_P_HERM_edited"] {
-        let reference = reference(&format!("{name}.csv"), [4, 4]);
+        let reference = reference(&format!("{name}.csv.gz"), [4, 4]);
         let matrix = std::array::from_fn(|r| std::array::from_fn(|c| reference.net[r][c]));
         check(name, &Surface::hermite(&matrix).unwrap(), 16, &reference);
         assert_eq!(Patch::from_hermite(&matrix).eval(1.0, 0.0), matrix[1][0]);

@@ -59,7 +59,7 @@ impl<P: Place> Edit<P> {
     pub(super) fn carry_out(self, points: &mut Vec<P>) {
         match self {
             Edit::Insert(index, point) if !full(points) => {
-                points.insert(index.min(points.len()), point.nearest())
+                points.insert(index.min(points.len()), point.nearest());
             }
             Edit::Move(index, point) => {
                 if let Some(old) = points.get_mut(index) {

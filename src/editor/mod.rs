@@ -197,6 +197,7 @@ impl<C: Craft<D>, const D: usize> Configuration for Editor<C, D> {
         loop {
             self.stage = Stage::Working;
             C::before_event(self, desk).await.unless_cancelled()?;
+            self.stage = Stage::Working;
             let tick = event(self, desk).await?;
             if self.held.is_some() {
                 self.drag(desk, &tick).await.unless_cancelled()?;

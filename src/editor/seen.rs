@@ -72,7 +72,7 @@ impl<const D: usize> Item<D> {
                 screen.disc(tip_x, tip_y, TIP_RADIUS, Color::DarkGray, Color::White);
             }
             Item::Disc { at, number, fill } | Item::Stored { at, number, fill } => {
-                numbered_disc(screen, lens.pixel(*at), *number, *fill)
+                numbered_disc(screen, lens.pixel(*at), *number, *fill);
             }
             Item::Dot(at) => {
                 let (x, y) = lens.pixel(*at);

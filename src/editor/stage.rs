@@ -9,6 +9,8 @@ pub(super) enum Stage {
     Working,
     /// Editing, while the curve is being chosen.
     Choosing,
+    /// Editing, while automatic tangents are offered after an action.
+    Offering,
     /// The result without its surroundings, with or without the control points.
     Result { points: bool },
     /// On the way back from the result of a surface.

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// A data file of the DOS programs, named after its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs)] // the table below says what each one is
+#[allow(missing_docs, reason = "the table below says what each one is")]
 pub enum Format {
     Ip2,
     Ic2,

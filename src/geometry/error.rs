@@ -150,7 +150,7 @@ impl fmt::Display for GeometryError {
                 write!(f, "point {number} has a coordinate that is not a finite number")
             }
             Self::TooLarge { number, value } => {
-                write!(f, "point {number} has the coordinate {value:e}, larger than {:e}", COORDINATE_LIMIT)
+                write!(f, "point {number} has the coordinate {value:e}, larger than {COORDINATE_LIMIT:e}")
             }
             Self::Overflow { span } => {
                 write!(f, "span {span} of the curve leaves the range of {COORDINATE_LIMIT:e}")
@@ -171,8 +171,7 @@ impl fmt::Display for GeometryError {
             }
             Self::Coefficient { name, harmonic, value } => write!(
                 f,
-                "{name} of harmonic {harmonic} is {value}, but must be a number of at most {:e}",
-                COORDINATE_LIMIT
+                "{name} of harmonic {harmonic} is {value}, but must be a number of at most {COORDINATE_LIMIT:e}"
             ),
             Self::TooManyHarmonics { given, most } => {
                 write!(f, "too many harmonics: {given} given, at most {most} allowed")

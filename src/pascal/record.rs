@@ -40,7 +40,7 @@ pub struct Reader<'a> {
 
 /// Every method that takes a field fails with [`ShortRead`] when the bytes end first, and then stays where
 /// it is.
-#[allow(clippy::missing_errors_doc)] // said once, above
+#[allow(clippy::missing_errors_doc, reason = "said once, above")]
 impl<'a> Reader<'a> {
     /// A reader at the first byte.
     #[must_use]

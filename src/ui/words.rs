@@ -350,8 +350,7 @@ pub(crate) const TENSION_VALUE: Words = Words("Feszültség = ", "Tension = ");
 /// Why there is no curve. The rarer reasons have their sentence in English only.
 pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
     let GeometryError::CriticalTension { bias, critical, .. } = error else { return plain(error) };
-    let number =
-        |value: &f64| format!("{:.4}", value).trim_end_matches('0').trim_end_matches('.').to_string();
+    let number = |value: &f64| format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_string();
     let (bias, critical) = (number(bias), number(critical));
     Phrase::new(
         format!(

@@ -92,6 +92,26 @@ pub(crate) fn agreement(ours: &[u8], theirs: &[u8]) -> f64 {
     1.0 - differing as f64 / theirs.len() as f64
 }
 
+/// The part of the screen that holds the picture on the programs' desks: columns and rows.
+const PICTURE: [std::ops::Range<usize>; 2] = [29..634, 58..463];
+
+/// How many pixels of the picture area have no pixel of their colour within one pixel in the other
+/// screen, counted both ways. A line that is drawn a little otherwise has next to none; a line that is
+/// in one picture only has nearly all of its own.
+pub(crate) fn strays(ours: &[u8], theirs: &[u8]) -> usize {
+    let [columns, rows] = PICTURE;
+    let near =
+        |at: usize, range: &std::ops::Range<usize>| at.max(range.start + 1) - 1..(at + 2).min(range.end);
+    let one_way = |from: &[u8], to: &[u8]| {
+        let is_stray = |x: usize, y: usize| {
+            let color = from[y * WIDTH as usize + x];
+            !near(y, &rows).any(|y| near(x, &columns).any(|x| to[y * WIDTH as usize + x] == color))
+        };
+        rows.clone().map(|y| columns.clone().filter(|&x| is_stray(x, y)).count()).sum::<usize>()
+    };
+    one_way(ours, theirs) + one_way(theirs, ours)
+}
+
 /// Compares a screen with the golden picture `tests/golden/NAME.png`. With `UPDATE_PICTURES=1` the
 /// golden picture becomes what the screen shows.
 pub(crate) fn assert_golden(name: &str, screen: &Screen) {

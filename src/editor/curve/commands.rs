@@ -23,7 +23,8 @@ where
     /// Carries out a command. After some of them the original offers automatic tangents.
     pub(super) async fn carry_out(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
         use Action::{Change, Choose, Delete, Insert, Result as Show};
-        self.craft.offer_tangents = matches!(action, Insert | Change | Delete | Choose | Show);
+        let offers = matches!(action, Insert | Change | Delete | Choose | Show);
+        self.craft.offer = offers.then_some(Stage::Offering);
         match action {
             Action::Insert => self.insert(desk).await?,
             Action::Change => self.change_point(desk).await?,

@@ -79,7 +79,7 @@ where
                 .and_then(|digit| (digit as usize).checked_sub(1));
             match clicked.or(typed).and_then(|index| Kind::ALL.get(index)) {
                 Some(&(kind, ..)) if compared.contains(&kind) => {
-                    self.craft.compared.retain(|&other| other != kind)
+                    self.craft.compared.retain(|&other| other != kind);
                 }
                 Some(&(kind, ..)) => self.craft.compared.push(kind),
                 None if matches!(tick.key(), Some(Key::Enter | Key::Esc | Key::F(4))) => {

@@ -85,20 +85,14 @@ struct Curves<const D: usize> {
     pointed_out: Option<usize>,
     /// What the screen says about the last choice until the next question.
     note: Option<String>,
-    /// Whether something happened after which the original offers automatic tangents.
-    offer_tangents: bool,
+    /// The stage in which automatic tangents are to be offered: as in the original at the start, and after every
+    /// action with an empty store.
+    offer: Option<Stage>,
 }
 
 impl<const D: usize> Curves<D> {
     fn new(tools: Tools) -> Curves<D> {
-        Curves {
-            tools,
-            compared: Vec::new(),
-            measured: false,
-            pointed_out: None,
-            note: None,
-            offer_tangents: false,
-        }
+        Curves { tools, compared: Vec::new(), measured: false, pointed_out: None, note: None, offer: None }
     }
 }
 
@@ -211,8 +205,8 @@ where
 
     /// Without points; the parameters survive, as in the original.
     fn fresh(&self, before: Option<&Sketch<D>>) -> Sketch<D> {
-        let mut sketch = Sketch::default();
-        sketch.tangents = (self.tools == Tools::Tangents).then(Vec::new);
+        let tangents = (self.tools == Tools::Tangents).then(Vec::new);
+        let mut sketch = Sketch { tangents, ..Sketch::default() };
         if let Some(before) = before {
             let settings = before.settings;
             sketch.settings.k0 = settings.k0;
@@ -326,12 +320,13 @@ where
         let ready = editor.count() >= FEWEST;
         let craft = &mut editor.craft;
         (craft.pointed_out, craft.note) = (None, None);
-        craft.offer_tangents = craft.tools == Tools::Tangents && ready;
+        craft.offer = (craft.tools == Tools::Tangents && ready).then_some(Stage::Working);
     }
 
     async fn before_event(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<()> {
-        if std::mem::take(&mut editor.craft.offer_tangents) {
+        if let Some(stage) = editor.craft.offer.take() {
             crate::work::keep(editor, desk);
+            editor.stage = stage;
             editor.offer_automatic_tangents(desk).await?;
         }
         Ok(())
@@ -355,7 +350,7 @@ where
         if Self::STORE.is_some() {
             editor.forget_note();
         }
-        editor.craft.offer_tangents = true;
+        editor.craft.offer = Some(Stage::Offering);
         Ok(())
     }
 

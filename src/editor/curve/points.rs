@@ -105,7 +105,8 @@ where
                 false => Item::Disc { at, number: index + 1, fill: Curves::<D>::FILL },
             });
         }
-        let stored = self.stage.begun() && !self.stage.is_result() && !sketch.full();
+        let empty = !self.stage.begun() || self.stage.is_result() || self.stage == Stage::Offering;
+        let stored = !empty && !sketch.full();
         if let Some(store) = Curves::<D>::STORE.filter(|_| stored) {
             let (at, number) = (held_at(Handle::Point(self.count())), self.count() + 1);
             items.push(match at {
