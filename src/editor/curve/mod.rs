@@ -355,11 +355,10 @@ where
     }
 
     fn problem(editor: &Editor<Self, D>) -> Option<Phrase> {
-        let sketch = editor.history.now();
-        let parameters = sketch.check_parameters().map_err(Into::into);
+        let sketch = editor.drawn();
         let checked = match editor.shown.known {
-            true => editor.drawn().curve().map(|_| ()),
-            false => parameters,
+            true => sketch.curve().map(|_| ()),
+            false => sketch.check_parameters().map_err(Into::into),
         };
         checked.err().map(|error| refusal::of_curve(&error))
     }
