@@ -25,12 +25,6 @@ pub(super) fn surroundings(screen: &mut Screen) {
     sunken(screen, FRAME, 4);
 }
 
-/// A pixel's coordinate. Rounds halves to even, as the original does; what is far outside stays far
-/// outside.
-pub(super) fn pixel(value: f64) -> i32 {
-    value.round_ties_even().clamp(-30_000.0, 30_000.0) as i32
-}
-
 /// The disc of a control point with its number, counted from 1.
 pub(super) fn numbered_disc(screen: &mut Screen, (x, y): (i32, i32), number: usize, fill: Color) {
     screen.disc(x, y, RADIUS, fill, Color::White);

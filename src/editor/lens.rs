@@ -1,12 +1,12 @@
 //! How an editor sees its places: the field of the plane, or space from a direction that the user turns.
 
-use super::axes::{draw_axes, draw_legend};
 use super::field;
-use super::look::{Look, Viewer};
 use crate::figure::{Axes, Figure};
 use crate::geometry::{BoundingBox, ParamCurve, Point};
 use crate::machine::{Language, Tick};
 use crate::screen::{Color, Screen, Stroke};
+use crate::ui::axes::{draw_axes, draw_legend};
+use crate::ui::look::{Look, Viewer, pixel};
 use crate::ui::{Area, words};
 
 /// Something taken up by the mouse.
@@ -60,7 +60,7 @@ const REACH: Area = Area::new(41, 10, 620, 450);
 
 impl Lens<2> for Field {
     fn pixel(&self, [x, y]: Point<2>) -> (i32, i32) {
-        (ORIGIN.0 + field::pixel(x), ORIGIN.1 - field::pixel(y))
+        (ORIGIN.0 + pixel(x), ORIGIN.1 - pixel(y))
     }
 
     fn dragged<H>(&self, held: &Held<H, 2>, (x, y): (i32, i32)) -> Option<Point<2>> {

@@ -5,13 +5,11 @@
 //! dragging, the stages, picture and figure. What one of them has of its own is a [`Craft`]. Fourier curves are a
 //! table of coefficients and have an editor of their own.
 
-mod axes;
 pub mod curve;
 mod field;
 pub mod fourier;
 pub mod keys;
 mod lens;
-mod look;
 pub mod net;
 mod picture;
 mod place;

@@ -5,11 +5,13 @@
 //! over it, so that the language can change and help can be read in the middle of a question.
 
 mod ask;
+pub(crate) mod axes;
 mod command;
 mod desk;
 mod entry;
 mod frame;
 mod lesson;
+pub(crate) mod look;
 mod notice;
 mod overwrite;
 mod phrase;

@@ -17,7 +17,6 @@ pub use tables::{BETA_KEYS, METHOD_KEYS, SPACE_BETA_KEYS, SPACE_METHOD_KEYS, TAN
 
 use super::field::on_disc;
 use super::lens::{Field, Held, Lens};
-use super::look::{Look, Poles, Viewer};
 use super::picture::{Layer, Page};
 use super::refusal;
 use super::seen::{Item, TIP_RADIUS};
@@ -28,6 +27,7 @@ use crate::file::{Document, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
 use crate::screen::Color;
+use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Answer, Commands, Desk, Manual, Question, Start, Stay};
 use crate::work::Next;

@@ -4,10 +4,10 @@
 use super::Nets;
 use super::surface::{Drawn, draw_cells};
 use crate::editor::Editor;
-use crate::editor::look::Look;
 use crate::geometry::{ParamSurface, Plane, Point, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen};
+use crate::ui::look::Look;
 use crate::ui::{Desk, Stay, words};
 
 /// What colours tell.

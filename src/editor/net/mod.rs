@@ -16,7 +16,6 @@ pub use show::{SHOW_KEYS, Show, show};
 pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS};
 
 use super::lens::Held;
-use super::look::{Look, Poles, Viewer};
 use super::picture::{Layer, Page};
 use super::seen::Item;
 use super::stage::Stage;
@@ -25,6 +24,7 @@ use crate::design::{DesignError, Index, NetDesign, Part};
 use crate::file::{Document, Format, Method, Net, NetSettings};
 use crate::geometry::{Border, Point};
 use crate::machine::{Asked, Asking, Tick};
+use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Commands, Desk, Stay};
 use crate::work::Next;

@@ -7,13 +7,13 @@ use super::surface::{Display, Drawn, Fill, draw_grid};
 use crate::design::{Index, NetDesign, Part};
 use crate::editor::Editor;
 use crate::editor::lens::Lens;
-use crate::editor::look::Look;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::{Item, Own};
 use crate::figure::{Axes, Figure, Hidden};
 use crate::geometry::{BoundingBox, Grid, Point, View};
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
+use crate::ui::look::Look;
 use crate::ui::words;
 use std::rc::Rc;
 

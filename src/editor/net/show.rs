@@ -2,13 +2,13 @@
 
 use super::picture::of_grid;
 use super::surface::{Display, Fill, draw_grid};
-use crate::editor::axes::draw_legend;
 use crate::editor::keys;
-use crate::editor::look::{Look, Poles, Viewer};
 use crate::figure::Figure;
 use crate::geometry::{Grid, Point};
 use crate::machine::{Asked, Key, Language, Machine};
 use crate::screen::{Color, Screen};
+use crate::ui::axes::draw_legend;
+use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words;
 use crate::ui::{Desk, KeyHelp, Manual, Picture, Words};
 use serde::Serialize;

@@ -3,10 +3,10 @@
 use super::Nets;
 use super::plan::Family;
 use crate::design::{DesignError, NetDesign};
-use crate::editor::look::Look;
 use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex, dot};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
+use crate::ui::look::Look;
 use crate::ui::words;
 
 /// How a surface is drawn.

@@ -1,7 +1,6 @@
-//! How the user looks at space: the view and the scale, the ways to change them, and a control point that
-//! the mouse holds in the picture. Nothing of this is saved or undone: it is no part of the configuration.
+//! How the user looks at space: the view and the scale, and the ways to change them. Nothing of this is saved or
+//! undone: it is no part of what is edited.
 
-use super::field::pixel;
 use crate::geometry::{Point, Turn, View};
 use crate::machine::{Button, Event, Key, Tick};
 
@@ -12,10 +11,16 @@ const MOST: i32 = 3 * DOUBLING;
 /// Pixels that the mouse moves for a turn by a radian: the front of a ball of this radius follows it.
 const RADIAN: f64 = 200.0;
 
+/// A pixel's coordinate. Rounds halves to even, as the original does; what is far outside stays far
+/// outside.
+pub(crate) fn pixel(value: f64) -> i32 {
+    value.round_ties_even().clamp(-30_000.0, 30_000.0) as i32
+}
+
 /// A view at a scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Look {
-    pub(super) view: View,
+pub(crate) struct Look {
+    pub(crate) view: View,
     /// The view of the start, which Home goes back to.
     home: View,
     poles: Poles,
@@ -25,7 +30,7 @@ pub(super) struct Look {
 
 /// What an arrow key does where the viewer looks straight along the axis z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Poles {
+pub(crate) enum Poles {
     /// It stops, as in the original.
     Stop,
     /// It goes on to the other side.
@@ -34,30 +39,30 @@ pub(super) enum Poles {
 
 impl Look {
     /// The look at every new configuration, from a direction.
-    pub(super) fn new(direction: Point<3>, poles: Poles) -> Look {
+    pub(crate) fn new(direction: Point<3>, poles: Poles) -> Look {
         let home = View::from_direction(direction);
         Look { view: home, home, poles, zoom: 0 }
     }
 
     /// Pixels for a unit of length.
-    pub(super) fn scale(self) -> f64 {
+    pub(crate) fn scale(self) -> f64 {
         (f64::from(self.zoom) / f64::from(DOUBLING)).exp2()
     }
 
     /// The pixel of a point.
-    pub(super) fn to_screen(self, point: Point<3>) -> (i32, i32) {
+    pub(crate) fn to_screen(self, point: Point<3>) -> (i32, i32) {
         let [x, y] = self.view.pixel(point, self.scale());
         (pixel(x), pixel(y))
     }
 
     /// A point dragged over so many pixels to the right and down: its depth stays.
-    pub(super) fn dragged(self, point: Point<3>, (right, down): (i32, i32)) -> Point<3> {
+    pub(crate) fn dragged(self, point: Point<3>, (right, down): (i32, i32)) -> Point<3> {
         self.view.moved(point, [right, -down].map(|pixels| f64::from(pixels) / self.scale()))
     }
 
     /// Turned by a drag over so many pixels to the right and down, freely over the poles: what is in
     /// front follows the mouse.
-    pub(super) fn turned_by(self, (right, down): (i32, i32)) -> Look {
+    pub(crate) fn turned_by(self, (right, down): (i32, i32)) -> Look {
         // The side is that of the drag's beginning, so that crossing a pole turns nothing round.
         let side = if self.view.upside_down() { 1.0 } else { -1.0 };
         let view = self.view.turned(side * f64::from(right) / RADIAN, f64::from(down) / RADIAN);
@@ -65,12 +70,12 @@ impl Look {
     }
 
     /// Larger by so many steps of the wheel, or smaller.
-    pub(super) fn zoomed(self, steps: i32) -> Look {
+    pub(crate) fn zoomed(self, steps: i32) -> Look {
         Look { zoom: self.zoom.saturating_add(steps).clamp(-MOST, MOST), ..self }
     }
 
     /// The look after a key that changes it.
-    pub(super) fn after(self, key: Key) -> Option<Look> {
+    pub(crate) fn after(self, key: Key) -> Option<Look> {
         let turn = match key {
             Key::Up => Turn::Up,
             Key::Down => Turn::Down,
@@ -89,24 +94,24 @@ impl Look {
 
 /// A look that the user changes by arrow keys, the right button and the wheel.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Viewer {
-    pub(super) look: Look,
+pub(crate) struct Viewer {
+    pub(crate) look: Look,
     /// Where a turn by the mouse began: the look and the pixel.
     turning: Option<(Look, (i32, i32))>,
 }
 
 impl Viewer {
-    pub(super) fn new(look: Look) -> Viewer {
+    pub(crate) fn new(look: Look) -> Viewer {
         Viewer { look, turning: None }
     }
 
     /// Ends a turn by the mouse that has been interrupted.
-    pub(super) fn stop(&mut self) {
+    pub(crate) fn stop(&mut self) {
         self.turning = None;
     }
 
     /// Turns and zooms. Whether the event was for that.
-    pub(super) fn look_around(&mut self, tick: &Tick) -> bool {
+    pub(crate) fn look_around(&mut self, tick: &Tick) -> bool {
         if let Some((from, (x, y))) = self.turning {
             match tick.event {
                 Some(Event::Key(Key::Esc)) => (self.look, self.turning) = (from, None),

@@ -1,10 +1,10 @@
 //! The axes in the picture of space, and the legend of a result that is turned.
 
 use super::look::Look;
+use super::words;
 use crate::geometry::Point;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::words;
 
 /// The axes with their names and where these stand, from the axis's end.
 const AXES: [(&str, Point<3>, (i32, i32)); 3] =
@@ -27,7 +27,7 @@ const ARROWS: [[(i32, i32); 2]; 12] = [
 ];
 
 /// Draws the three axes.
-pub(super) fn draw_axes(screen: &mut Screen, look: Look) {
+pub(crate) fn draw_axes(screen: &mut Screen, look: Look) {
     let (x0, y0) = look.to_screen([0.0; 3]);
     for (name, end, (dx, dy)) in AXES {
         let (x, y) = look.to_screen(end);
@@ -37,7 +37,7 @@ pub(super) fn draw_axes(screen: &mut Screen, look: Look) {
 }
 
 /// Draws the arrows and how to leave.
-pub(super) fn draw_legend(screen: &mut Screen, language: Language) {
+pub(crate) fn draw_legend(screen: &mut Screen, language: Language) {
     for [(x1, y1), (x2, y2)] in ARROWS {
         screen.line(x1, y1, x2, y2, Stroke::thin(Color::LightGray));
     }
