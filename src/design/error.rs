@@ -13,6 +13,8 @@ pub enum DesignError {
     NoMethod,
     /// The method needs something that the document does not have.
     Needs(Method),
+    /// A Hermite patch needs a matrix of points, tangents and twists.
+    NeedsTwists,
     /// An `.FHC` file has no other method than hermite.
     OnlyHermite,
     /// The method is one of curves only.
@@ -60,9 +62,12 @@ impl fmt::Display for DesignError {
                 f.write_str("fourier needs coefficients, as a .GBP file has them")
             }
             DesignError::Needs(Method::Hermite) => {
-                f.write_str("hermite needs tangents, as an .IC2 file with its .EC2 or an .FHC file has them")
+                f.write_str("hermite needs tangents, as an .IC2 file with its .EC2 has them")
             }
             DesignError::Needs(method) => write!(f, "{} needs more than this file has", method.name()),
+            DesignError::NeedsTwists => {
+                f.write_str("hermite needs tangents and twists, as an .FHC file has them")
+            }
             DesignError::OnlyHermite => f.write_str(
                 "an .FHC file holds points, tangents and twists; it has no other method than hermite",
             ),

@@ -104,7 +104,7 @@ impl NetDesign {
         match (method, self.net.kind) {
             (Method::Hermite, NetKind::Fhc) => return Ok(None),
             (_, NetKind::Fhc) => return Err(DesignError::OnlyHermite),
-            (Method::Hermite, _) => return Err(DesignError::Needs(method)),
+            (Method::Hermite, _) => return Err(DesignError::NeedsTwists),
             (Method::Coons | Method::Fourier, _) => return Err(DesignError::ForCurves(method)),
             _ => {}
         }

@@ -41,7 +41,7 @@ where
             }
             Action::Follow => self.toggle_follow(desk),
             Action::Compare => self.compare(desk).await?,
-            Action::Workshop => Curves::<D>::smooth(self, desk).await?,
+            Action::Workshop => self.open_workshop(desk).await?,
             Action::ShapeJoint => self.change_joint(desk).await?,
             Action::JointsAlike => self.make_joints_alike(desk),
             Action::Quit => {

@@ -121,13 +121,6 @@ trait Ambient<const D: usize>: Sized {
     {
         Ok(())
     }
-    /// Smooths the points as measured ones, where that is offered.
-    async fn smooth(_: &mut Editor<Curves<D>, D>, _: &mut Desk<'_>) -> Asked<()>
-    where
-        Curves<D>: Craft<D>,
-    {
-        Ok(())
-    }
     /// Azimuth, elevation and zoom, where there are any.
     fn angles(_: &Self::Lens) -> Option<[f64; 3]> {
         None
@@ -347,9 +340,7 @@ where
         }
         editor.history.change(moved);
         editor.shown.after_change();
-        if Self::STORE.is_some() {
-            editor.forget_note();
-        }
+        editor.forget_note();
         editor.craft.offer = Some(Stage::Offering);
         Ok(())
     }
@@ -454,10 +445,6 @@ impl Ambient<2> for Curves<2> {
         index: usize,
     ) -> Asked<()> {
         editor.change_tangent(desk, index).await
-    }
-
-    async fn smooth(editor: &mut Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<()> {
-        editor.open_workshop(desk).await
     }
 
     fn draw(editor: &Editor<Curves<2>, 2>, layer: Layer, page: &mut Page<'_>) {

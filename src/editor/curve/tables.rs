@@ -91,7 +91,7 @@ pub(super) const BETA: Commands<Action> = Commands(&[
 /// GB_3D_IP.
 pub(super) const SPACE_METHODS: Commands<Action> = Commands(&[
     INSERT, CHANGE, DELETE, METHOD, RESULT, LEAVE, DRAG_3D, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW,
-    COMPARE, STORE, BACK,
+    COMPARE, WORKSHOP, STORE, BACK,
 ]);
 /// GB_3D_BT.
 pub(super) const SPACE_BETA: Commands<Action> = Commands(&[

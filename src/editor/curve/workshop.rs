@@ -1,18 +1,19 @@
 //! The workshop of section 2.3.8: the present points as measured ones, the curves that the section
 //! compares on them, and the points smoothed by a B-spline and a Bézier curve.
 
-use super::Curves;
 use super::ask::FEWEST;
 use super::compare::Kind;
-use crate::design::Sketch;
+use super::{Ambient, Curves};
+use crate::design::{Place, Sketch};
 use crate::editor::lens::Lens;
 use crate::editor::{Editor, refusal};
 use crate::figure::Figure;
-use crate::geometry::{FEWEST_MEASURED, Residuals, Smoothed, Smoothing, smooth};
+use crate::geometry::{FEWEST_MEASURED, Point, Residuals, Smoothed, Smoothing, smooth};
 use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Desk, Picture, Stay, TOP, page};
+use serde::Serialize;
 
 // What has a curve can be smoothed.
 const _: () = assert!(FEWEST >= FEWEST_MEASURED);
@@ -24,7 +25,11 @@ const RADIUS: i32 = 3;
 /// Where the lines of the communication page begin.
 const LEFT: i32 = 214;
 
-impl Editor<Curves<2>, 2> {
+impl<const D: usize> Editor<Curves<D>, D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
     /// The key F5: shows the curves and the smoothed points; Enter takes these over, Esc leaves all as it
     /// was.
     pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
@@ -50,7 +55,7 @@ impl Editor<Curves<2>, 2> {
     }
 
     /// Shows the workshop until Enter, or Esc, which cancels.
-    async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<2>) -> Asked<()> {
+    async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<D>) -> Asked<()> {
         let workshop = Workshop { editor: self, smoothed };
         loop {
             match desk.event(&workshop).await?.key() {
@@ -62,7 +67,7 @@ impl Editor<Curves<2>, 2> {
     }
 
     /// Makes the smoothed points the configuration, in whole numbers as the files hold them.
-    fn take_over(&mut self, smoothed: &Smoothed<2>) {
+    fn take_over(&mut self, smoothed: &Smoothed<D>) {
         let rounded = smoothed.points.iter().map(|point| point.map(f64::round_ties_even)).collect();
         // Means of points of the field are in the field, so that they fit.
         if let Ok(sketch) = (Sketch { points: rounded, ..self.history.now().clone() }).fitting() {
@@ -72,12 +77,20 @@ impl Editor<Curves<2>, 2> {
 }
 
 /// The picture of the workshop.
-struct Workshop<'e> {
-    editor: &'e Editor<Curves<2>, 2>,
-    smoothed: &'e Smoothed<2>,
+struct Workshop<'e, const D: usize>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
+    editor: &'e Editor<Curves<D>, D>,
+    smoothed: &'e Smoothed<D>,
 }
 
-impl Picture for Workshop<'_> {
+impl<const D: usize> Picture for Workshop<'_, D>
+where
+    Curves<D>: Ambient<D>,
+    Point<D>: Place + Serialize,
+{
     fn draw(&self, screen: &mut Screen, language: Language) {
         self.editor.draw(screen, language);
         for (x, y) in self.smoothed.points.iter().map(|&point| self.editor.lens.pixel(point)) {
@@ -88,7 +101,7 @@ impl Picture for Workshop<'_> {
 
     fn figure(&self) -> Option<Figure> {
         let mut figure = self.editor.figure()?;
-        self.smoothed.points.iter().for_each(|&point| figure.plot_joint(point));
+        self.smoothed.points.iter().for_each(|&point| figure.plot_joint(self.editor.lens.flat(point)));
         Some(figure)
     }
 }
