@@ -123,9 +123,11 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
     };
     let mut lost = document.settings();
     if let Document::PlanePoints(plane) = &document {
+        let twins = [Format::Ic2, Format::Ec2];
         let joints = plane.joints.iter().map(|_| "joints");
-        let tangents = plane.tangents.iter().filter(|_| format == Format::Ip2).map(|_| "tangents");
-        lost.extend(joints.chain(tangents).map(str::to_owned));
+        let tangents = plane.tangents.iter().filter(|_| !twins.contains(&format)).map(|_| "tangents");
+        let points = plane.points.iter().take(1).filter(|_| format == Format::Ec2).map(|_| "points");
+        lost.extend(joints.chain(tangents).chain(points).map(str::to_owned));
     }
     lost
 }

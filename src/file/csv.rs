@@ -27,8 +27,8 @@ impl Document {
     /// The control points as CSV text; reading it back gives the same numbers.
     ///
     /// # Errors
-    /// [`FileError::Misfit`] for other documents than control points, and for tangents and settings, which
-    /// have no place there; [`FileError::Invalid`] when a number is not finite.
+    /// [`FileError::Misfit`] for other documents than control points, and for tangents, joints and settings,
+    /// which have no place there; [`FileError::Invalid`] when a number is not finite.
     pub fn to_csv(&self) -> Result<String, FileError> {
         self.check()?;
         match self {
@@ -41,6 +41,7 @@ impl Document {
                 Ok(text(SPACE_HEADER, points))
             }
             Self::PlanePoints(PlanePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
+            Self::PlanePoints(PlanePoints { joints: Some(_), .. }) => Err(misfit("shapes of joints")),
             Self::PlanePoints(_) | Self::SpacePoints(_) => Err(misfit("settings")),
             _ => Err(misfit(self.format().english())),
         }

@@ -42,11 +42,6 @@ impl Files {
         }
     }
 
-    /// Whether the program has read or written a file of this name.
-    pub fn knows(&self, name: &str) -> bool {
-        self.seen.borrow().contains_key(&name.to_ascii_lowercase())
-    }
-
     fn remember(&self, name: &str, content: &[u8]) {
         self.seen.borrow_mut().insert(name.to_ascii_lowercase(), content.to_vec());
     }

@@ -2,16 +2,17 @@
 //! holds what a DOS file cannot.
 
 use crate::file::{Document, FileKind, Format, PlanePoints};
-use crate::machine::{Storage, StorageProblem};
+use crate::machine::{self, Standing, Storage, StorageProblem};
 use crate::ui::words::{self, Phrase};
 
 /// Files to be written: their names and contents.
-pub(super) type Files = Vec<(String, Vec<u8>)>;
+pub type Files = Vec<(String, Vec<u8>)>;
 
-/// The same name with another extension.
+/// The same name with another extension, in small letters where that of the name is.
 fn twin(name: &str, extension: &str) -> String {
-    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    format!("{stem}.{extension}")
+    let (stem, old) = name.rsplit_once('.').unwrap_or((name, ""));
+    let small = old.chars().any(char::is_lowercase);
+    format!("{stem}.{}", if small { extension.to_lowercase() } else { extension.to_owned() })
 }
 
 /// The name of the JSON file beside a file.
@@ -49,23 +50,42 @@ pub fn with_twin(document: Document, storage: &dyn Storage, name: &str) -> Docum
 /// as it is.
 pub fn with_json(document: Document, storage: &dyn Storage, name: &str) -> Document {
     let Some(format) = Format::from_name(name) else { return document };
-    let json = storage.read(&json_name(name)).ok();
-    let json = json.and_then(|content| Document::decode(FileKind::Json, &content).ok());
-    match json {
-        Some(json) if dos_files(&json, format, name).is_ok_and(|files| all_there(storage, &files)) => json,
+    let read = |name: &str| storage.read(name).ok();
+    match beside(read, name, format) {
+        Some((json, files)) if all_there(read, &files) => json,
         _ => document,
     }
 }
 
-fn all_there(storage: &dyn Storage, files: &Files) -> bool {
-    files.iter().all(|(name, content)| storage.read(name).is_ok_and(|there| there == *content))
+/// Whether the JSON file beside a DOS file says the same as what is there, or as what is about to be written. It is
+/// looked at without being remembered as read, so that changes by others still show.
+pub(super) fn has_json(disk: &machine::Files, name: &str, format: Format, new: &Files) -> bool {
+    let read = |name: &str| match disk.standing(name) {
+        Standing::Free => None,
+        Standing::There(content) | Standing::Changed(content) => content,
+    };
+    beside(read, name, format).is_some_and(|(_, files)| files == *new || all_there(read, &files))
 }
 
-/// The DOS files of a document, the first under its name: what they have room for.
+/// The document of the JSON file beside a DOS file, and the DOS files it would be saved as.
+fn beside(read: impl Fn(&str) -> Option<Vec<u8>>, name: &str, format: Format) -> Option<(Document, Files)> {
+    let json = Document::decode(FileKind::Json, &read(&json_name(name))?).ok()?;
+    let files = dos_files(&json, format, name).ok()?;
+    // Without tangents it would leave an `.EC2` file out.
+    let whole = format != Format::Ic2 || json.format() == Format::Ic2;
+    whole.then_some((json, files))
+}
+
+fn all_there(read: impl Fn(&str) -> Option<Vec<u8>>, files: &Files) -> bool {
+    files.iter().all(|(name, content)| read(name).as_ref() == Some(content))
+}
+
+/// The DOS files of a document with what they have room for: the file of the name itself, and the `.EC2` file beside
+/// an `.IC2` file if there are tangents. [`design::lost`](crate::design::lost) says what they leave out.
 ///
 /// # Errors
 /// What is wrong with the points.
-pub(super) fn dos_files(document: &Document, format: Format, name: &str) -> Result<Files, Phrase> {
+pub fn dos_files(document: &Document, format: Format, name: &str) -> Result<Files, Phrase> {
     let bare = match document.clone().adapted(format).without_settings() {
         Document::PlanePoints(plane) => Document::PlanePoints(PlanePoints { joints: None, ..plane }),
         other => other,
@@ -75,7 +95,8 @@ pub(super) fn dos_files(document: &Document, format: Format, name: &str) -> Resu
         Ok::<_, Phrase>((name, content))
     };
     let mut files = vec![file(format, name.to_owned())?];
-    if format == Format::Ic2 {
+    let has_tangents = matches!(&bare, Document::PlanePoints(plane) if plane.tangents.is_some());
+    if format == Format::Ic2 && has_tangents {
         files.push(file(Format::Ec2, twin(name, Format::Ec2.extension()))?);
     }
     Ok(files)

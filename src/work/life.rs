@@ -1,7 +1,7 @@
 //! The life of a configuration, the same in every program that edits one: new or stored, worked on,
 //! saved, left. Nothing is lost without having been asked.
 
-use super::files::{Files, dos_files, json_name, read_document, with_json, with_twin};
+use super::files::{Files, dos_files, has_json, json_name, read_document, with_json, with_twin};
 use super::{History, rescue};
 use crate::design;
 use crate::file::{Document, FileKind, Format, Method};
@@ -283,7 +283,7 @@ async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<boo
 }
 
 /// The files that a configuration is stored in under a name. What its format cannot hold is said, and a JSON file
-/// beside it offered; one that the program knows from reading or writing it goes on being written.
+/// beside it offered; one that belongs to the file already goes on being written.
 async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> Asked<Result<Files, Phrase>> {
     if !state.fits_format() {
         return Ok(state.json(name).map(|file| vec![file]));
@@ -291,12 +291,16 @@ async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> 
     let (document, format, json) = (state.document(), state.format(), json_name(name));
     let files = dos_files(&document, format, name);
     let lost = design::lost(&document, format, state.implied());
-    let known = desk.machine.files().knows(&json);
-    if files.is_err() || (lost.is_empty() && !known) {
-        return Ok(files);
+    let mut files = match files {
+        Ok(files) => files,
+        Err(problem) => return Ok(Err(problem)),
+    };
+    let belongs = has_json(desk.machine.files(), name, format, &files);
+    if lost.is_empty() && !belongs {
+        return Ok(Ok(files));
     }
     let wanted = match desk.machine.manner() {
-        _ if known => true,
+        _ if belongs => true,
         Manner::Today => {
             let facts = words::not_held(format, &lost, &json);
             desk.ask_about(state, &facts, words::ASK_JSON).await? == Answer::First
@@ -304,9 +308,9 @@ async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> 
         // The originals know nothing of joints and have no question.
         Manner::Original => lost.iter().any(|name| name == "joints"),
     };
-    Ok(files.and_then(|mut files| {
-        files.extend(wanted.then(|| state.json(&json)).transpose()?);
-        Ok(files)
+    Ok(wanted.then(|| state.json(&json)).transpose().map(|json| {
+        files.extend(json);
+        files
     }))
 }
 

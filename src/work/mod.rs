@@ -6,6 +6,6 @@ mod history;
 mod life;
 pub mod rescue;
 
-pub use files::{read_document, with_json, with_twin};
+pub use files::{Files, dos_files, read_document, with_json, with_twin};
 pub use history::History;
 pub use life::{Configuration, Next, common_key, event, keep, quit, run};

@@ -1,17 +1,21 @@
 //! `grafika convert`: a data file in another format.
 
-use crate::source::{Source, kind_by_extension, output_kind};
+use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use clap::Args;
-use grafika::file::FileKind;
-use grafika::launch::{Failure, write_output};
-use std::path::PathBuf;
+use grafika::design::{self, NetDesign};
+use grafika::file::{Document, FileKind, Format, Method, PlanePoints};
+use grafika::launch::{Failure, Opened, write_output};
+use grafika::machine::Language;
+use grafika::work;
+use std::path::{Path, PathBuf};
 
 /// The command line of `grafika convert`.
 #[derive(Args)]
 #[command(after_help = "Examples:
   grafika convert A.IP2 a.json
   cat points.csv | grafika convert - a.ip2 --from csv
-  grafika convert A.ZMS - --to json > a.json")]
+  grafika convert A.ZMS - --to json > a.json
+  grafika convert A.IC2 b.ic2                (writes b.ec2 too, with the tangents)")]
 pub(crate) struct Convert {
     #[command(flatten)]
     source: Source,
@@ -23,17 +27,73 @@ pub(crate) struct Convert {
 }
 
 impl Convert {
-    /// Converts.
+    /// Converts, and names on stderr what has no place in the target.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let to = output_kind(&self.output, self.to)?;
-        let opened = self.source.open()?;
-        let document = match to {
-            FileKind::Dos(format) => opened.document.adapted(format),
-            FileKind::Json | FileKind::Csv => opened.document,
+        let Opened { name, document, .. } = self.source.open()?;
+        let output = self.output.display().to_string();
+        let encoded = |document: &Document| {
+            let content = document.encode(to);
+            content.map_err(|error| Failure::work(format!("{name} as {output}: {error}")))
         };
-        let content = document.encode(to).map_err(|error| {
-            Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
-        })?;
-        write_output(Some(&self.output), &content)
+        let mut lost = Vec::new();
+        let mut twin = None;
+        let content = match to {
+            FileKind::Json => encoded(&document)?,
+            FileKind::Csv => {
+                lost = extras(&document);
+                encoded(&bare(document))?
+            }
+            FileKind::Dos(format) => {
+                lost = design::lost(&document, format, implied(&document, format));
+                let files = work::dos_files(&document, format, &output);
+                let mut files = files
+                    .map_err(|problem| Failure::work(format!("{name} as {}", problem.of(Language::English))))?
+                    .into_iter();
+                let content = files.next().map(|(_, content)| content).unwrap_or_default();
+                twin = files.next();
+                content
+            }
+        };
+        if is_stream(&self.output) && twin.take().is_some() {
+            lost.push("tangents".to_owned());
+        }
+        write_output(Some(&self.output), &content)?;
+        if let Some((name, content)) = twin {
+            // Only the extension differs.
+            let extension = Path::new(&name).extension().unwrap_or_default();
+            write_output(Some(&self.output.with_extension(extension)), &content)?;
+        }
+        if !lost.is_empty() {
+            let target = if is_stream(&self.output) { "standard output".to_owned() } else { output };
+            eprintln!("grafika: {target} has no place for: {}", lost.join(", "));
+        }
+        Ok(())
+    }
+}
+
+/// The method that a surface of this format has without naming it.
+fn implied(document: &Document, format: Format) -> Option<Method> {
+    match document.clone().adapted(format) {
+        Document::Net(net) => Some(NetDesign::new(net).implied),
+        _ => None,
+    }
+}
+
+/// The names of what belongs to control points besides their coordinates.
+fn extras(document: &Document) -> Vec<String> {
+    let mut extras = document.settings();
+    if let Document::PlanePoints(plane) = document {
+        extras.extend(plane.tangents.iter().map(|_| "tangents".to_owned()));
+        extras.extend(plane.joints.iter().map(|_| "joints".to_owned()));
+    }
+    extras
+}
+
+/// The document without them.
+fn bare(document: Document) -> Document {
+    match document.without_settings() {
+        Document::PlanePoints(plane) => Document::PlanePoints(PlanePoints::new(plane.points)),
+        other => other,
     }
 }
