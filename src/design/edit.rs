@@ -48,14 +48,14 @@ pub enum Edit<P> {
     Renumber(usize, usize),
 }
 
-/// Whether a list has as many control points as there may be.
+/// Whether a list has the maximum number of control points.
 pub(super) fn full<P>(points: &[P]) -> bool {
     points.len() >= MAX_POINTS
 }
 
 impl<P: Place> Edit<P> {
-    /// Carries the edit out; one that names a point that is not there, or has no room, changes nothing. New
-    /// places are taken to where a point may lie.
+    /// Carries the edit out. If there is no such point, or no room, nothing changes. New places are moved to the nearest
+    /// one that fits.
     pub(super) fn carry_out(self, points: &mut Vec<P>) {
         match self {
             Edit::Insert(index, point) if !full(points) => {

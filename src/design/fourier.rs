@@ -156,7 +156,7 @@ impl Coefficient {
         Coefficient::new(all[(index + columns) % all.len()].0, self.k)
     }
 
-    /// Its value; `k` is below the length, for every constructor keeps it there.
+    /// Its value; every constructor keeps `k` below the length.
     pub fn of(self, fourier: &Fourier) -> f64 {
         self.column.row(fourier).get(self.k).copied().unwrap_or(0.0)
     }
@@ -175,7 +175,7 @@ impl Coefficient {
     pub fn stepped(self, fourier: &Fourier, steps: i32) -> Fourier {
         let quantity = self.column.quantity();
         let old = self.of(fourier);
-        // Without the dust of adding hundredths.
+        // Removes rounding errors of adding hundredths.
         let clean = |value: f64| (value * 1e10).round() / 1e10;
         let new = old + quantity.step() * f64::from(steps);
         let new = match quantity {
@@ -199,7 +199,7 @@ impl Coefficient {
     }
 }
 
-/// A number with so many decimals; halves are rounded away from zero, and there is no minus zero.
+/// A number with the given decimals; halves round away from zero, and there is no minus zero.
 fn fixed(value: f64, decimals: usize) -> String {
     let scale = 10f64.powi(decimals as i32);
     let rounded = (value * scale).round() / scale + 0.0;
@@ -216,8 +216,8 @@ pub fn curve(fourier: &Fourier) -> Result<geometry::Fourier<2>, GeometryError> {
     geometry::Fourier::new([fourier.a[0], fourier.b[0]], &rows.collect::<Vec<_>>())
 }
 
-/// The coefficients of a curve, without harmonics that no file has room for. Amplitudes that are
-/// nothing but rounding become 0, with phase 0.
+/// The coefficients of a curve, without harmonics that no file can hold. Amplitudes that are only rounding errors become
+/// 0, with phase 0.
 #[must_use]
 pub fn coefficients(curve: &geometry::Fourier<2>) -> Fourier {
     /// Pixels.

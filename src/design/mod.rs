@@ -73,12 +73,12 @@ impl Design {
     }
 }
 
-/// The form that settings name; open where they name none.
+/// The closure in settings; open if they name none.
 pub(crate) fn closure(settings: &CurveSettings) -> Closure {
     if settings.closed == Some(true) { Closure::Closed } else { Closure::Open }
 }
 
-/// A document with the method that a program draws it by, where it names none.
+/// The document, with the method that a program draws by if it names none.
 #[must_use]
 pub fn naming(document: Document, implied: Option<Method>) -> Document {
     match document {
@@ -98,8 +98,8 @@ pub fn naming(document: Document, implied: Option<Method>) -> Document {
     }
 }
 
-/// What of a document is lost in files of a DOS format, by the names that JSON has for it: what differs from
-/// what is drawn without being named. `implied` is the method that the program draws by.
+/// What files of a DOS format cannot hold of a document, by its names in JSON. Values that are drawn anyway, such as a
+/// bias of 1 or the program's `implied` method, do not count.
 pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec<String> {
     let document = match document.clone() {
         Document::PlanePoints(mut plane) => {
@@ -132,7 +132,7 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
     lost
 }
 
-/// Takes out of settings what is drawn without being named.
+/// Removes the settings that are drawn anyway.
 fn forget_usual(settings: &mut CurveSettings, implied: Option<Method>) {
     let CurveSettings { method, closed, k0, bias, tension } = settings;
     *method = method.filter(|method| Some(*method) != implied);

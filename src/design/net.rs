@@ -95,10 +95,10 @@ impl NetDesign {
         design
     }
 
-    /// How the surface is woven; `None` for the Hermite patch, which is no matter of weights.
+    /// The methods along u and v with topology and border; `None` for the Hermite patch, which has none.
     ///
     /// # Errors
-    /// A method that the net has not what it takes for.
+    /// [`DesignError`] if the net does not have what the method needs.
     pub fn scheme(&self) -> Result<Option<Scheme>, DesignError> {
         let method = self.method();
         match (method, self.net.kind) {
@@ -127,8 +127,7 @@ impl NetDesign {
         }))
     }
 
-    /// The surface as a model: that of a sphere is led to its poles, where the book's cubic B-spline leaves
-    /// holes.
+    /// The surface as a solid model: on a sphere it reaches the poles, where the book's cubic B-spline leaves holes.
     ///
     /// # Errors
     /// As [`NetDesign::surface`].
@@ -159,7 +158,7 @@ impl NetDesign {
         [self.net.points.len(), self.net.points.first().map_or(0, Vec::len)]
     }
 
-    /// How many control points can be chosen in each direction.
+    /// The numbers of control points that can be chosen along u and v.
     pub fn choices(&self) -> [usize; 2] {
         if self.is_matrix() { [2, 2] } else { self.shape() }
     }
@@ -217,8 +216,7 @@ impl NetDesign {
         design
     }
 
-    /// The design, if an editor can show it. Poles that a file in single precision has apart by rounding become one
-    /// point.
+    /// The design, if an editor can show it. Points of a pole that differ by rounding in the file become one point.
     ///
     /// # Errors
     /// [`DesignError::NetSize`].

@@ -8,7 +8,7 @@ use crate::geometry::{
     automatic_tangents, hermite_arcs,
 };
 
-/// Control points with what belongs to each of them, and how the curve follows them.
+/// Control points with their tangents and joints, and the recipe of the curve.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sketch<const D: usize> {
     /// The control points.
@@ -51,7 +51,7 @@ impl<const D: usize> Sketch<D> {
         closure(&self.settings)
     }
 
-    /// What the curve is made by: the method that is named, else tangents or joints that are there.
+    /// The method: the named one, else the one implied by tangents or joints.
     pub fn method(&self) -> Option<Method> {
         let implied = match (&self.tangents, &self.joints) {
             (Some(_), _) => Some(Method::Hermite),
@@ -64,8 +64,8 @@ impl<const D: usize> Sketch<D> {
     /// The curve through or near the control points.
     ///
     /// # Errors
-    /// [`DesignError::NoMethod`] where none is named or implied, [`DesignError::Needs`] where the points have not
-    /// what the method takes, and those of the geometry.
+    /// [`DesignError::NoMethod`] if none is named or implied, [`DesignError::Needs`] if the points do not have what the
+    /// method needs, and those of the geometry.
     pub fn curve(&self) -> Result<Box<dyn ParamCurve<D>>, DesignError> {
         let (closure, points) = (self.closure(), self.points.as_slice());
         let method = self.method().ok_or(DesignError::NoMethod)?;
@@ -105,8 +105,7 @@ impl<const D: usize> Sketch<D> {
         }
     }
 
-    /// The sketch with the tangents that its points give as an open or closed row, in whole numbers as the files
-    /// hold them.
+    /// The sketch with automatic tangents for an open or closed row, in whole numbers as the files hold them.
     ///
     /// # Errors
     /// Too few points, or a coefficient that is not finite.
@@ -166,8 +165,8 @@ impl<const D: usize> Sketch<D>
 where
     Point<D>: Place,
 {
-    /// The sketch after an edit of its points: what belongs to them goes with them. A new point has no
-    /// tangent, and the common shape.
+    /// The sketch after an edit of its points; tangents and joints follow their points. A new point has a zero tangent
+    /// and the common shape.
     #[must_use]
     pub fn edited(&self, edit: Edit<Point<D>>) -> Sketch<D> {
         let mut sketch = self.clone();
@@ -221,7 +220,7 @@ impl From<Sketch<3>> for Document {
     }
 }
 
-/// Lets a list that belongs to the points follow an edit that made so many of so many.
+/// Applies an edit of the points to a list that belongs to them; `before` and `after` count the points.
 fn follow<T, P>(list: &mut Vec<T>, edit: Edit<P>, [before, after]: [usize; 2], new: T) {
     match edit {
         Edit::Insert(index, _) if after > before => list.insert(index.min(before), new),

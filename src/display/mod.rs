@@ -45,7 +45,7 @@ pub trait Display {
     }
 }
 
-/// The first whole millisecond that is not before a moment: what is due by the displays' clock is due by the
+/// A moment rounded up to whole milliseconds, so that a deadline that is due by the display's clock is due by the
 /// session's too.
 fn whole_milliseconds(moment: Duration) -> Duration {
     Duration::from_millis(u64::try_from(moment.as_nanos().div_ceil(1_000_000)).unwrap_or(u64::MAX))

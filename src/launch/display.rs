@@ -33,8 +33,8 @@ pub fn has_terminal() -> bool {
     cfg!(feature = "terminal") && std::io::stdin().is_terminal() && std::io::stdout().is_terminal()
 }
 
-/// Whether a session with these options comes to be shown in a terminal, without being recorded: then pages of
-/// text serve as well as pictures.
+/// Whether a session with these options is shown in a terminal and not recorded, so that pages of text can replace
+/// pictures.
 pub fn in_terminal(options: &RunOptions) -> bool {
     #[cfg(feature = "window")]
     let window = window::window_possible();
@@ -83,7 +83,7 @@ fn live(
         let options =
             crate::display::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
         match window::run(session, &options) {
-            // A desktop that cannot show a window is no reason to show nothing, unless a window was asked for.
+            // Fall back to the terminal unless a window was asked for.
             Err(window::WindowError::Open(_)) if wish.is_none() && cfg!(feature = "terminal") => {}
             shown => return shown.map_err(Failure::work),
         }

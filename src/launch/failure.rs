@@ -52,7 +52,7 @@ pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
     if failure.is_answer {
         println!("{}", failure.message.trim_end());
     } else {
-        // One line, whatever a library put into its message.
+        // On one line, even if a library's message has several.
         eprintln!("{program}: {}", failure.message.split_whitespace().collect::<Vec<_>>().join(" "));
     }
     ExitCode::from(failure.status)

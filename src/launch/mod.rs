@@ -72,14 +72,14 @@ impl Program {
         }
     }
 
-    /// The program's command line as it is described: help, completions and manual page come from it.
+    /// The definition of the program's command line, which help, completions and manual page are made from.
     pub fn command(&self) -> Command {
         let command = Command::new(self.manual.name);
         let (command, examples) = match self.command_line {
             CommandLine::Usual => (Options::augment_args(command), examples(self)),
             CommandLine::Install => (Install::augment_args(command), Install::examples(self.manual.name)),
         };
-        // The options bring a line of their own with them, which is about options.
+        // Set last: the options bring a description of their own.
         command.about(self.manual.about.1).version(env!("CARGO_PKG_VERSION")).after_help(examples)
     }
 

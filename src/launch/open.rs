@@ -8,7 +8,7 @@ use crate::work::with_twin;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// A document with where it came from.
+/// A document and where it came from.
 #[derive(Clone, Debug)]
 pub struct Opened {
     /// The name as it was given.
@@ -30,11 +30,10 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
     open_as(path, None)
 }
 
-/// As [`open`], with the kind of the file where its name does not say it; `-` is standard input, whose kind
-/// has to be said.
+/// Like [`open`], with the kind of file if it is not to follow from the name. `-` is standard input and needs a kind.
 ///
 /// # Errors
-/// Those of [`open`], and when `-` comes without a kind.
+/// Those of [`open`], and `-` without a kind.
 pub fn open_as(path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
     if path == Path::new("-") {
         return open_stdin(from);
@@ -82,10 +81,10 @@ fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
     })
 }
 
-/// All of standard input, if it is no longer than any data file.
+/// All of standard input, up to the size of the largest data file.
 ///
 /// # Errors
-/// The system's, and when there is more.
+/// The system's, or that there is more.
 pub fn read_stdin() -> std::io::Result<Vec<u8>> {
     let mut content = Vec::new();
     std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut content)?;

@@ -106,8 +106,7 @@ impl RunOptions {
         RunOptions { lang: Some(Code::of(language)), ..self.clone() }
     }
 
-    /// These options with the user's preferences where they leave a choice. A script, which is to give the same
-    /// everywhere, knows none.
+    /// These options, completed by the user's preferences. A script ignores these, so that it plays alike everywhere.
     #[must_use]
     pub fn preferred(&self) -> RunOptions {
         if self.script.is_some() || self.preferences.is_some() {
@@ -138,9 +137,9 @@ impl RunOptions {
         Options { file, run: self.clone() }
     }
 
-    /// A machine as these options set it, with a folder for its files. A script has nothing to lose, and is
-    /// to give the same every time; a recorded session keeps its work, but a question about an earlier one
-    /// would not come again when it is replayed.
+    /// A machine with these options and a folder for its files. Scripts keep no unsaved work, so that they play alike
+    /// every time. A recorded session keeps its work but is offered none, since the question would not come again when
+    /// it is replayed.
     pub(super) fn machine(&self, folder: PathBuf) -> Machine {
         let seed = self.seed.unwrap_or(Settings::default().seed);
         let settings = Settings { language: self.language(), seed, manner: self.manner() };
@@ -172,8 +171,7 @@ fn locale_language() -> Language {
     }
 }
 
-/// The locale of a system that tells it elsewhere than in the environment: Windows always does, a Mac where a
-/// program is not started from a shell.
+/// The locale of a system that does not put it into the environment: Windows, and macOS outside a shell.
 fn system_locale() -> Option<String> {
     #[cfg(any(windows, target_os = "macos"))]
     return sys_locale::get_locale();

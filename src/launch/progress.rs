@@ -1,10 +1,10 @@
-//! How far long work is, told on stderr while it lasts; nothing where stderr is no terminal.
+//! Progress of long work on stderr, if that is a terminal.
 
 use super::{Failure, write_output};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
-/// Time between two turns of a sign of life.
+/// Time between two steps of the spinner.
 const TURN: Duration = Duration::from_millis(120);
 
 /// A bar of `total` parts; it vanishes when it is dropped.
@@ -13,7 +13,7 @@ pub fn bar(what: &'static str, total: usize) -> Bar {
     Bar(styled(bar, "{msg} [{bar:40}] {pos}/{len} {eta}"))
 }
 
-/// A sign of life with the time that has passed, for work that cannot tell how far it is.
+/// A spinner with the elapsed time, for work of unknown length.
 pub fn alive(what: &'static str) -> Bar {
     let bar = styled(ProgressBar::new_spinner().with_message(what), "{spinner} {msg} {elapsed}");
     bar.enable_steady_tick(TURN);
@@ -21,14 +21,14 @@ pub fn alive(what: &'static str) -> Bar {
 }
 
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
-    // The templates are the two above, which are right; were one not, the bar would look plain.
+    // Both templates above are valid; an invalid one would only leave the bar plain.
     match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style.progress_chars("##-")),
         Err(_) => bar,
     }
 }
 
-/// A bar that is taken away when the work ends, however it ends.
+/// A bar that is removed when the work ends, however it ends.
 pub struct Bar(ProgressBar);
 
 impl Bar {

@@ -1,24 +1,24 @@
-//! A program's files, with the memory of what it has read and written: a file that somebody else has changed
-//! since is not overwritten unnoticed.
+//! A program's files, and what it last read or wrote there, so that a file changed by something else is not
+//! overwritten unnoticed.
 
 use super::storage::{Storage, StorageError};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// How a name stands before something is written under it.
+/// What is known about a name before something is written under it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// There is no such file.
     Free,
-    /// There is one, with this content (`None` if it cannot be read). This program has never seen it, or
-    /// knows it like this.
+    /// There is one, with this content (`None` if it cannot be read), which is either new to this program or what it
+    /// last read or wrote.
     There(Option<Vec<u8>>),
-    /// There is one, and its content is no longer that which this program has read or written last.
+    /// There is one, and its content is not what this program last read or wrote.
     Changed(Option<Vec<u8>>),
 }
 
-/// A place of files that remembers what went through it. Contents are compared and not times, which copies
-/// and other machines' clocks make worthless.
+/// A storage that remembers what went through it. It compares contents, because copies and the clocks of other
+/// machines make times unreliable.
 pub struct Files {
     place: Box<dyn Storage>,
     /// What the program read or wrote last, by the name in lower case.
@@ -30,7 +30,7 @@ impl Files {
         Files { place, seen: RefCell::default() }
     }
 
-    /// How a name stands.
+    /// What is known about a name.
     pub fn standing(&self, name: &str) -> Standing {
         if self.place.find(name).is_none() {
             return Standing::Free;

@@ -1,9 +1,8 @@
-//! The film of a session: the screens that a program drew, with the time between them, as an animated GIF of
-//! the screen's 16 colours that runs for ever.
+//! The film of a session: the screens a program drew, with their timing, as an endlessly looping GIF of 16 colours.
 //!
-//! A frame holds the rectangle that has changed. GIF counts hundredths of a second, and displays do not show
-//! frames of less than two: changes that follow one another sooner are one frame. Delays are differences of
-//! rounded times, so that the film is as long as what it shows.
+//! A frame holds the rectangle that changed. GIF counts hundredths of a second, and viewers do not show frames
+//! shorter than two, so faster changes share a frame. Delays are differences of rounded times; rounding errors do
+//! not add up.
 
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
@@ -17,20 +16,20 @@ const LARGEST: usize = 64 * 1024 * 1024;
 /// The shortest frame in hundredths of a second.
 const SHORTEST: u64 = 2;
 
-/// A film that is being made.
+/// A film being recorded.
 pub(super) struct Film {
     /// The program's name, which the film is named after.
     pub(super) program: &'static str,
     begun: Duration,
     encoder: Encoder<Vec<u8>>,
-    /// What the frames that are written show.
+    /// The screen as the written frames show it.
     written: Vec<u8>,
-    /// The screen that is not written yet, and since when it is shown, in hundredths of a second.
+    /// The screen not yet written, and when it appeared, in hundredths of a second.
     next: Option<(Vec<u8>, u64)>,
 }
 
 impl Film {
-    /// A film without any frame that begins now.
+    /// A film that begins now, without frames.
     pub(super) fn new(program: &'static str, now: Duration) -> Result<Film, EncodingError> {
         let palette: Vec<u8> = Color::ALL.iter().flat_map(|color| color.rgb()).collect();
         let [width, height] = size();
@@ -39,12 +38,12 @@ impl Film {
         Ok(Film { program, begun: now, encoder, written: Vec::new(), next: None })
     }
 
-    /// When the film is as long as it may be.
+    /// When the film reaches its maximum length.
     pub(super) fn end(&self) -> Duration {
         self.begun + LONGEST
     }
 
-    /// Whether it has no room for more.
+    /// Whether the film has reached its maximum length or size.
     pub(super) fn is_full(&self, now: Duration) -> bool {
         now >= self.end() || self.encoder.get_ref().len() >= LARGEST
     }
@@ -77,7 +76,7 @@ impl Film {
         self.encoder.into_inner()
     }
 
-    /// Time since the beginning, rounded to hundredths of a second, none of them after the end.
+    /// Time since the beginning in hundredths of a second, at most the maximum length.
     fn hundredths(&self, now: Duration) -> u64 {
         let time = now.saturating_sub(self.begun).min(LONGEST);
         // Ten minutes fit.
@@ -111,9 +110,8 @@ fn size() -> [u16; 2] {
     [WIDTH as u16, HEIGHT as u16]
 }
 
-/// The smallest rectangle with everything that differs between two screens: left, top, and right and bottom
-/// behind it. All of it where there was no screen before, and one pixel where nothing differs, as a frame has
-/// to have some.
+/// The smallest rectangle that contains every difference between two screens: left, top, and exclusive right and
+/// bottom. The whole screen if there was none before; one pixel if nothing differs, because a frame cannot be empty.
 fn changed(before: &[u8], after: &[u8]) -> [usize; 4] {
     let [width, height] = size().map(usize::from);
     if before.len() != after.len() {

@@ -99,7 +99,7 @@ impl Language {
 /// How a program behaves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Manner {
-    /// As the originals did, faults aside: for scripts, which are to give the same as then.
+    /// Like the originals, without their faults; scripts default to this.
     #[default]
     Original,
     /// As users expect today.
@@ -146,7 +146,7 @@ pub struct Machine {
     visit: Visit,
 }
 
-/// Whether a program is run by another one, to which it returns.
+/// Whether another program runs this one and is returned to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Visit {
     #[default]
@@ -185,14 +185,14 @@ impl Machine {
         }
     }
 
-    /// The machine with a place where unsaved work is safe from a crash; without one nothing is kept.
+    /// The machine with a place that keeps unsaved work across a crash; without one, nothing is kept.
     #[must_use]
     pub fn with_recovery(mut self, recovery: impl Recovery + 'static) -> Machine {
         self.recovery = Some(Box::new(recovery));
         self
     }
 
-    /// The machine with the preferences of its user, and with a place where changed ones are kept.
+    /// The machine with the user's preferences and the place where changes to them are kept.
     #[must_use]
     pub fn with_preferences(mut self, preferences: Preferences, keeper: impl Keeper + 'static) -> Machine {
         self.port.borrow_mut().preferences = preferences;
@@ -214,22 +214,22 @@ impl Machine {
         &mut self.files
     }
 
-    /// The same files, with what this program knows of them.
+    /// The same files, with what this program last read or wrote there.
     pub fn files(&self) -> &Files {
         &self.files
     }
 
-    /// Where unsaved work is kept, if it is.
+    /// Where unsaved work is kept, if anywhere.
     pub fn recovery(&mut self) -> Option<&mut (dyn Recovery + 'static)> {
         self.recovery.as_deref_mut()
     }
 
-    /// The name of the file that the program's work was read from or saved in last.
+    /// The name of the file that the work was last read from or saved to.
     pub fn file(&self) -> Option<&str> {
         self.file.as_deref()
     }
 
-    /// Notes which file the program's work belongs to from now on.
+    /// Sets the file that the work belongs to.
     pub fn set_file(&mut self, name: Option<String>) {
         self.file = name;
     }
@@ -244,13 +244,13 @@ impl Machine {
         self.manner
     }
 
-    /// Where the mouse is and what it holds.
+    /// The position of the mouse and its buttons.
     pub fn mouse(&self) -> Mouse {
         self.port.borrow().mouse
     }
 
-    /// Puts the mouse at a pixel, as far as the program and the pointer go, until it is moved again: how a
-    /// program keeps the mouse in a part of the screen, or moves it by keys.
+    /// Moves the mouse of the program and its pointer to a pixel, until the real mouse moves: to confine it to a part
+    /// of the screen, or to move it by keys.
     pub fn put_mouse(&mut self, x: i32, y: i32) {
         let mut port = self.port.borrow_mut();
         port.mouse = port.mouse.after(Event::Move(x, y));
@@ -294,7 +294,7 @@ impl Machine {
         self.visit = Visit::Guest;
     }
 
-    /// Says that a guest returns to its host; `false` for a program that is none.
+    /// Makes a guest return to its host; `false` if the program is no guest.
     pub fn leave(&mut self) -> bool {
         let guest = self.visit != Visit::None;
         if guest {
@@ -310,7 +310,7 @@ impl Machine {
         }
     }
 
-    /// Ends the visit of a guest; whether it has left for its host, and not because the display closes.
+    /// Ends a guest's visit; whether it returned to its host, rather than because the display closes.
     pub fn see_off(&mut self) -> bool {
         std::mem::take(&mut self.visit) == Visit::Leaving
     }
@@ -320,7 +320,7 @@ impl Machine {
         self.port.borrow_mut().pointer = pointer;
     }
 
-    /// Makes a copy of the program's model known, for `dump` in a script.
+    /// Publishes a copy of the model, for `dump` in a script.
     pub fn publish<T: Serialize + 'static>(&mut self, model: T) {
         self.port.borrow_mut().model = Some(Box::new(model));
     }
@@ -349,11 +349,11 @@ impl Machine {
         self.turn(Wait::Until(moment)).await
     }
 
-    /// Begins a film, a GIF of what [`Machine::film_screen`] shows it from now on; one that is being made
-    /// goes on. A film is saved when it is stopped, and when the machine goes.
+    /// Begins a film, a GIF of every screen passed to [`Machine::film_screen`]; one that is being recorded goes on. A film
+    /// is saved when it is stopped or the machine is dropped.
     ///
     /// # Errors
-    /// [`StorageError`] if the encoder refuses, which it does for no screen.
+    /// [`StorageError`] if the encoder fails, which no screen makes it do.
     pub fn start_film(&mut self, program: &'static str) -> Result<(), StorageError> {
         if self.film.is_none() {
             let film = Film::new(program, self.now()).map_err(|error| no_film(program, &error))?;
@@ -363,12 +363,12 @@ impl Machine {
         Ok(())
     }
 
-    /// When a film that is being made will be as long as it may be: ten minutes.
+    /// When the film being recorded reaches its maximum length of ten minutes.
     pub fn film_end(&self) -> Option<Duration> {
         self.film.as_ref().map(Film::end)
     }
 
-    /// Whether a film is being made and has no room for more: it is ten minutes long, or 64 megabytes large.
+    /// Whether the film being recorded is full: ten minutes long or 64 megabytes large.
     pub fn film_is_full(&self) -> bool {
         self.film.as_ref().is_some_and(|film| film.is_full(self.now()))
     }
@@ -376,7 +376,7 @@ impl Machine {
     /// Shows the screen, as it is drawn now, to the film.
     ///
     /// # Errors
-    /// [`StorageError`] if the encoder refuses, which it does for no screen.
+    /// [`StorageError`] if the encoder fails, which no screen makes it do.
     pub fn film_screen(&mut self) -> Result<(), StorageError> {
         let now = self.now();
         let Some(film) = &mut self.film else { return Ok(()) };
@@ -403,7 +403,7 @@ impl Machine {
 }
 
 impl Drop for Machine {
-    /// Saves a film that is being made; the session tells what went wrong.
+    /// Saves a film being recorded; the session reports what went wrong.
     fn drop(&mut self) {
         if let Err(error) = self.stop_film() {
             self.port.borrow_mut().lost = Some(error);
@@ -411,7 +411,7 @@ impl Drop for Machine {
     }
 }
 
-/// Why there is no film of a program.
+/// The error of a film that could not be made.
 fn no_film(program: &str, error: &dyn fmt::Display) -> StorageError {
     StorageError { name: format!("{program}.gif"), problem: StorageProblem::System(error.to_string()) }
 }

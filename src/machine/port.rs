@@ -1,7 +1,7 @@
 //! The port between a program and the display that polls it.
 //!
-//! A program and its display never run at the same time: the program runs until it awaits, then the
-//! display has its turn. The screen changes hands at the await, so that both sides own it plainly.
+//! A program and its display never run at the same time: the program runs until it awaits, then the display has its
+//! turn. The screen is moved from one to the other at the await, so neither has to share it.
 
 use super::event::{Mouse, Tick};
 use super::{Asked, Language, Pointer, Preferences, StorageError};
@@ -25,7 +25,7 @@ pub enum Wait {
     Until(Duration),
 }
 
-/// A program's model that can be written as JSON at any time.
+/// A model that can be written as JSON at any time.
 pub(super) trait Model {
     fn json(&self) -> serde_json::Result<String>;
 }
@@ -36,9 +36,9 @@ impl<T: Serialize> Model for T {
     }
 }
 
-/// What lies between program and display while the program waits.
+/// What program and display exchange while the program waits.
 pub(super) struct Port {
-    /// The screen as the program left it (while the program runs: the one it does not use).
+    /// The screen as the program left it; while the program runs, the spare one.
     pub(super) screen: Box<Screen>,
     pub(super) pointer: Pointer,
     pub(super) mouse: Mouse,
@@ -47,9 +47,9 @@ pub(super) struct Port {
     pub(super) model: Option<Box<dyn Model>>,
     pub(super) language: Language,
     pub(super) preferences: Preferences,
-    /// Whether a film is being made.
+    /// Whether a film is being recorded.
     pub(super) filming: bool,
-    /// What could not be saved when the program was gone.
+    /// The error of saving after the program had ended.
     pub(super) lost: Option<StorageError>,
     /// What the waiting program gets when it is polled next.
     pub(super) answer: Option<Asked<Tick>>,
@@ -92,7 +92,7 @@ impl Future for Turn<'_> {
 
 impl Drop for Turn<'_> {
     fn drop(&mut self) {
-        // A wait that is given up half way must not leave the program with the display's screen.
+        // A wait dropped half way must not leave the program with the display's screen.
         if self.handed_over {
             self.swap_screens();
         }

@@ -1,23 +1,23 @@
-//! What a user has chosen once for all programs. Values only: where they are kept is the business of who
-//! starts the programs, which a machine reaches through [`Keeper`].
+//! The user's preferences, shared by all programs. Values only: where they are kept is decided by whoever starts the
+//! programs, and reached through [`Keeper`].
 
 use super::Language;
 use crate::screen::Palette;
 
-/// The choices. What is not chosen is left to the environment.
+/// The preferences. What is not set is left to the environment.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Preferences {
     /// The language of the texts at the start.
     pub language: Option<Language>,
     /// Where programs show themselves.
     pub display: Option<Shown>,
-    /// By which whole factor the window is larger than 640x480, 1 to 16.
+    /// The window's size as a multiple of 640x480, 1 to 16.
     pub scale: Option<u32>,
     /// How the colours look.
     pub palette: Palette,
-    /// By how many letters Ctrl with an arrow key moves the mouse in the terminal, 1 to 8.
+    /// How many letters Ctrl with an arrow key moves the mouse in the terminal, 1 to 8.
     pub pointer_speed: PointerSpeed,
-    /// The folder where programs that were given no file keep theirs.
+    /// The folder of programs that were started without a file.
     pub folder: Option<String>,
 }
 
@@ -171,8 +171,7 @@ impl Preferences {
         Ok(())
     }
 
-    /// Chooses the next or the previous value of a setting, around the end. Nothing happens to one that is a
-    /// text.
+    /// Chooses the next or the previous value of a setting, wrapping around. Settings of free text stay.
     pub fn turn(&mut self, preference: Preference, forward: bool) {
         let values = preference.values();
         let Some(last) = values.len().checked_sub(1) else { return };

@@ -8,7 +8,7 @@ use std::time::Duration;
 pub struct Recorder {
     output: Box<dyn Write>,
     written_until: Duration,
-    /// The first thing that could not be written; the program goes on, the end says it.
+    /// The first error of writing; the program goes on, and it is reported at the end.
     problem: Option<io::Error>,
 }
 
@@ -25,7 +25,7 @@ impl Recorder {
         self.wait_until(now);
         let line = match event {
             Event::Key(Key::Char(typed)) if Key::from_name(&typed.to_string()) != Some(Key::Char(typed)) => {
-                // A name stands for the capital letter; the small one has to be typed.
+                // `key` means the capital letter; a small one is written as `type`.
                 match typed {
                     ' ' => "key Space".to_string(),
                     typed => format!("type {typed}"),
@@ -41,7 +41,7 @@ impl Recorder {
         self.line(&line);
     }
 
-    /// Writes what is left and says whether everything could be written.
+    /// Writes the rest, and returns the first error there was.
     pub(super) fn finish(mut self, now: Duration) -> io::Result<()> {
         self.wait_until(now);
         match self.problem {

@@ -1,8 +1,8 @@
-//! Unsaved work that outlives a crash: what a program is working on is kept beside its files, and a later
-//! start of the program finds what a session that broke off has left.
+//! Unsaved work that outlives a crash: it is kept outside the process, and a later start finds what a broken session
+//! left.
 //!
-//! Here is only what programs see of it; the place on the disk is in `disk`. A machine without a [`Recovery`] keeps
-//! nothing, as in scripts and in the library without file system.
+//! This is the programs' view; the implementation on disk is in `disk`. Scripts, and the library without a file system,
+//! have no [`Recovery`] and keep nothing.
 
 use std::time::Duration;
 
@@ -17,14 +17,14 @@ pub struct Work {
     pub content: String,
 }
 
-/// Work that a session has left behind without an end.
+/// Work left behind by a session that broke off.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lost {
-    /// What the place of recovery calls it, for messages.
+    /// Its name in the place of recovery, for messages.
     pub name: String,
-    /// How long ago it was kept last, if the clocks tell.
+    /// How long ago it was last kept, if known.
     pub age: Option<Duration>,
-    /// The work; else why what is there is none.
+    /// The work, or why it cannot be read.
     pub work: Result<Work, String>,
 }
 
@@ -37,22 +37,20 @@ pub enum Verdict {
     Deleted,
     /// The next start of the program shall ask again.
     Later,
-    /// It cannot be read, and is set aside for somebody who can.
+    /// It cannot be read and is set aside for the user.
     Broken,
 }
 
-/// A place where unsaved work is safe from a crash.
+/// A place that keeps unsaved work across a crash.
 pub trait Recovery {
-    /// Makes this the session's unsaved work, instead of what was kept before. Returns at once; the work is
-    /// safe in less than a second.
+    /// Replaces the session's unsaved work. Returns at once; the work is safe within a second.
     fn keep(&mut self, work: Work);
 
     /// The session has nothing unsaved any more.
     fn forget(&mut self);
 
-    /// The newest work that a session of a program has left behind and that this session has not been told
-    /// of. It stays this session's until [`Recovery::settle`], so that no other one is offered the same; work
-    /// of a session that still runs is nobody else's.
+    /// The newest work of a program that a session left behind and that has not been offered here yet. It is reserved
+    /// for this session until [`Recovery::settle`]. Work of a running session is never offered.
     fn lost(&mut self, program: &str) -> Option<Lost>;
 
     /// Decides on the work of the last [`Recovery::lost`].

@@ -1,4 +1,4 @@
-//! The display that is none: a script is read line by line, and time is virtual.
+//! Scripts: played line by line without a display, in virtual time.
 
 use super::event::{Button, Event, Key};
 use super::session::Session;
@@ -54,17 +54,17 @@ impl fmt::Display for ScriptError {
 
 impl std::error::Error for ScriptError {}
 
-/// A script that has been read: commands with their line numbers.
+/// A parsed script: commands with their line numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Script {
     commands: Vec<(usize, Command)>,
 }
 
-/// More waiting than this on one line is a slip of the finger: a day.
+/// The longest wait, a day; more is a typing error.
 const LONGEST_WAIT_MS: u64 = 24 * 60 * 60 * 1000;
 
 impl Script {
-    /// Reads a script; a line that starts with `#` and an empty line say nothing.
+    /// Parses a script; empty lines and lines that start with `#` are skipped.
     ///
     /// # Errors
     /// [`ScriptError`] for the first wrong line.

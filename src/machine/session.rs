@@ -21,7 +21,7 @@ type Running = Pin<Box<dyn Future<Output = Asked<()>>>>;
 /// Frames of an animation a second.
 pub const FRAMES_PER_SECOND: u32 = 60;
 
-/// Frames that are made up for when a display was held up; what is older is left out.
+/// The most frames that are caught up after a delay of the display; older ones are skipped.
 const FRAMES_CAUGHT_UP: u32 = 2 * FRAMES_PER_SECOND;
 
 /// Radius of the mark of a film in pixels.
@@ -71,13 +71,13 @@ impl Session {
         }
     }
 
-    /// Where the mouse is and what it holds, as the program knows it.
+    /// Position and buttons of the mouse as the program knows them.
     pub fn mouse(&self) -> Mouse {
         self.port.borrow().mouse
     }
 
-    /// A copy of the screen, with a red dot in its upper right corner while a film is being made; neither
-    /// the film nor any other picture has it.
+    /// A copy of the screen, with a red dot in the upper right corner while a film is being recorded. No saved picture
+    /// has the dot.
     pub fn marked_screen(&self) -> Screen {
         let mut screen = self.screen().clone();
         if self.port.borrow().filming {
@@ -128,7 +128,7 @@ impl Session {
         }
     }
 
-    /// Lets the session's time reach `now`: frames and deadlines on the way are delivered in order.
+    /// Advances the session's time to `now`; frames and deadlines on the way are delivered in order.
     pub fn advance(&mut self, now: Duration) {
         let oldest = now.saturating_sub(Duration::from_secs(1) * FRAMES_CAUGHT_UP / FRAMES_PER_SECOND);
         while let Some(deadline) = self.deadline().filter(|&deadline| deadline <= now) {
@@ -140,8 +140,8 @@ impl Session {
         port.now = port.now.max(now);
     }
 
-    /// Lets the session's time reach `now` as [`Session::advance`] does, and shows an animated program this
-    /// very moment, although no frame may be due: its model is that of the moment then.
+    /// Advances the session's time to `now`, and delivers a frame to an animated program even if none is due, so that
+    /// its model is that of this very moment.
     pub fn settle(&mut self, now: Duration) {
         self.advance(now);
         let behind = self.port.borrow().wait == Wait::Frame;
@@ -162,7 +162,7 @@ impl Session {
         self.deliver(Some(event), now);
     }
 
-    /// Ends the program, if it has not ended yet, without asking it; a film that is being made is saved.
+    /// Ends the program without asking it; a film being recorded is saved.
     ///
     /// # Errors
     /// [`StorageError`] when it could not be saved.
@@ -193,8 +193,7 @@ impl Session {
     fn poll(&mut self) {
         let Some(program) = &mut self.program else { return };
         let mut context = Context::from_waker(Waker::noop());
-        // A program has ended, however it did. One that lets a `Stop::Cancelled` out has been left with Esc
-        // where it asks for something of its own, outside any command: an end like any other.
+        // However the program ended. `Stop::Cancelled` means Esc in a question outside of any command.
         if program.as_mut().poll(&mut context).is_ready() {
             self.program = None;
         }

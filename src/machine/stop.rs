@@ -1,15 +1,14 @@
-//! Why a question has no answer, and what a caller does about it.
+//! Why a question has no answer.
 
 use std::fmt;
 
-/// Why a program does not get what it waits for. Both reasons travel by `?`: closing goes out through
-/// everything that is open, Esc up to the one place that carries out commands.
+/// Why a program does not get what it waits for. Both reasons travel by `?`: closing leaves the program, Esc leaves
+/// the command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The display is being closed, or a guest returns to the program that runs it. One that has something to
-    /// save catches it and asks.
+    /// The display is being closed, or a guest returns to its host. A program with unsaved work catches this and asks.
     Closed,
-    /// Esc: the command that asks shall not be carried out. Only questions stop so, never a wait for an event.
+    /// Esc: the command is not carried out. Only questions end like this, never a wait for an event.
     Cancelled,
 }
 
@@ -24,12 +23,12 @@ impl fmt::Display for Stop {
 
 impl std::error::Error for Stop {}
 
-/// What is asked for, or why it is not there.
+/// An answer, or why there is none.
 pub type Asked<T> = Result<T, Stop>;
 
 /// What can be done with an [`Asked`] besides `?`.
 pub trait Asking<T> {
-    /// `None` for Esc, where it has a meaning of its own; closing goes on by `?`.
+    /// `None` for Esc, where it has a meaning of its own.
     ///
     /// # Errors
     /// [`Stop::Closed`] and nothing else.

@@ -1,4 +1,4 @@
-//! Where programs keep their files: a flat place of names, whatever stands behind it.
+//! Where programs keep their files: a flat set of names.
 //!
 //! The folder on disk is in `disk`; [`Memory`] serves tests and displays without a disk.
 
@@ -41,7 +41,7 @@ impl fmt::Display for StorageError {
 
 impl std::error::Error for StorageError {}
 
-/// A place of files. Names are plain file names, without folders; case does not matter when reading.
+/// A set of files. Names are plain file names without folders; case does not matter when reading.
 pub trait Storage {
     /// The whole content of a file; a name that is not there is looked up among the built-in samples.
     ///
@@ -55,7 +55,7 @@ pub trait Storage {
     /// [`StorageError`] with the name and what is wrong; the old content is whole then.
     fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError>;
 
-    /// The name under which a file is stored here, in whatever case (the built-in samples do not count).
+    /// The name as it is stored here, whatever its case; built-in samples do not count.
     fn find(&self, name: &str) -> Option<String>;
 }
 
@@ -87,7 +87,7 @@ pub fn free_name(storage: &dyn Storage, program: &str, extension: &str) -> Strin
     name(number.unwrap_or(u32::MAX))
 }
 
-/// Content of the built-in sample of this name: what a storage reads under a name that it has no file of.
+/// The built-in sample of this name: what a storage reads where it has no file.
 ///
 /// # Errors
 /// [`StorageError`] that there is no such file.
@@ -124,7 +124,7 @@ impl Storage for Memory {
     }
 }
 
-/// A place that several programs work in.
+/// Files shared by several programs.
 impl<S: Storage> Storage for Rc<RefCell<S>> {
     fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
         self.borrow().read(name)

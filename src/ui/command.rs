@@ -14,7 +14,7 @@ pub struct Command<A: 'static> {
     pub button: Option<Button>,
     /// The line of the help page; neighbouring commands may share one.
     pub help: Option<KeyHelp>,
-    /// What it does; `None` for what is only told, as what the mouse does.
+    /// What it does; `None` for a line of help alone, such as what the mouse does.
     pub action: Option<A>,
 }
 
@@ -29,12 +29,12 @@ impl<A: Copy> Command<A> {
         Command { key: Some(key), button: None, help: Some(help), action: Some(action) }
     }
 
-    /// A line of the help page about something that is no command of this table.
+    /// A line of help about something that is no command of this table.
     pub const fn told(help: KeyHelp) -> Command<A> {
         Command { key: None, button: None, help: Some(help), action: None }
     }
 
-    /// A key that is answered elsewhere, so that nothing else may be given by it.
+    /// A key that is handled elsewhere and must not be used again.
     pub const fn elsewhere(key: Key, help: KeyHelp) -> Command<A> {
         Command { key: Some(key), button: None, help: Some(help), action: None }
     }
@@ -98,7 +98,7 @@ impl<A: Copy> Commands<A> {
         help
     }
 
-    /// The keys that give more than one command: a fault of the table.
+    /// The keys of more than one command, which are errors of the table.
     pub fn shared_keys(&self) -> Vec<Key> {
         let keys: Vec<Key> = self.0.iter().flat_map(Command::keys).collect();
         keys.iter().enumerate().filter(|(at, key)| keys[..*at].contains(key)).map(|(_, key)| *key).collect()

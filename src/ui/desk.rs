@@ -27,7 +27,7 @@ impl<F: Fn(&mut Screen, Language)> Picture for F {
     }
 }
 
-/// A picture with something drawn over it, as a question; its figure is that of the picture.
+/// A picture with something drawn on top, such as a question; its figure is that of the picture.
 pub struct Over<'p, F> {
     under: &'p dyn Picture,
     over: F,
@@ -73,9 +73,9 @@ pub struct Desk<'m> {
     pub machine: &'m mut Machine,
     pub(super) manual: Manual,
     notice: Option<Notice>,
-    /// How long the help page and the questions about a figure have been open, all times together.
+    /// The total time that the help page and the questions about a figure have been open.
     away: Duration,
-    /// Whether the desk is busy with a key of its own, F9 or F10.
+    /// Whether the desk is handling a key of its own, F9 or F10.
     aside: bool,
 }
 
@@ -98,8 +98,8 @@ impl<'m> Desk<'m> {
         self.manual.name
     }
 
-    /// Draws the picture and sleeps until something happens that is for the program: F1 (help), F2
-    /// (language), F9 (settings), F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) are dealt with here.
+    /// Draws the picture and sleeps until an event for the program. F1 (help), F2 (language), F9 (settings), F10 (figure),
+    /// F12 (picture of the screen) and Ctrl+F12 (film) are handled here.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -107,7 +107,7 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::Never).await
     }
 
-    /// As [`Desk::event`], but not beyond a moment: a tick without event then.
+    /// Like [`Desk::event`], but at a given moment returns a tick without an event.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -115,7 +115,7 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::At(moment)).await
     }
 
-    /// As [`Desk::event`], but not beyond the next frame of an animation: a tick without event then.
+    /// Like [`Desk::event`], but at the next frame of an animation returns a tick without an event.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -123,8 +123,8 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::Frame).await
     }
 
-    /// Time since the program started, without that on the help page and for a figure: an animation by this
-    /// clock stands still while its help is read.
+    /// Time since the program started, without the time on the help page or in the questions about a figure: an
+    /// animation by this clock pauses there.
     pub fn clock(&self) -> Duration {
         self.machine.now().saturating_sub(self.away)
     }
@@ -136,7 +136,7 @@ impl<'m> Desk<'m> {
                 self.end_film(Stay::UntilRead);
                 continue;
             }
-            // What the desk itself has to be awake for.
+            // The desk's own deadlines.
             let expiry = self.notice.as_ref().and_then(|notice| notice.until);
             let own = expiry.into_iter().chain(self.machine.film_end()).min();
             let tick = match (wake, own) {
@@ -165,13 +165,12 @@ impl<'m> Desk<'m> {
         }
     }
 
-    /// Lays a message over the screen: for its time, or until the next key or click, which still does
-    /// what it does without the message.
+    /// Shows a message for a while, or until the next key or click, which keeps its usual effect.
     pub fn tell(&mut self, text: impl Into<Phrase>, stay: Stay) {
         self.notice = Some(self.notice_of(text.into(), stay));
     }
 
-    /// As [`Desk::tell`], with a message that a film does not show.
+    /// Like [`Desk::tell`], with a message that a film does not show.
     pub(super) fn tell_off_film(&mut self, text: Phrase, stay: Stay) {
         self.notice = Some(Notice { filmed: false, ..self.notice_of(text, stay) });
     }
@@ -210,7 +209,7 @@ impl<'m> Desk<'m> {
         self.notice = self.notice.take().or(filmed).or(other);
     }
 
-    /// Shows the help page and keeps the time that it takes.
+    /// Shows the help page and adds up the time it takes.
     async fn help(&mut self) -> Asked<()> {
         let begun = self.machine.now();
         let ended = self.read_help().await;
@@ -218,8 +217,8 @@ impl<'m> Desk<'m> {
         ended
     }
 
-    /// Asks about a figure, saves it, and keeps the time that it takes. The questions wait for events by the
-    /// same desk; what is nested has to stand on the heap.
+    /// Asks about a figure, saves it, and adds up the time it takes. The questions wait for events by this same desk, and
+    /// a recursive future has to be boxed.
     async fn save_figure(&mut self, picture: &dyn Picture) -> Asked<()> {
         let begun = self.machine.now();
         self.aside = true;
@@ -228,11 +227,11 @@ impl<'m> Desk<'m> {
         let ended = asked.await;
         self.aside = false;
         self.away += self.machine.now().saturating_sub(begun);
-        // Esc in any of the questions: nothing is saved, and the program has seen nothing.
+        // Esc in any question: nothing is saved, and the program sees no event.
         ended.unless_cancelled().map(|_| ())
     }
 
-    /// Shows the settings, and keeps the time that it takes.
+    /// Shows the settings and adds up the time it takes.
     async fn change_settings(&mut self, picture: &dyn Picture) -> Asked<()> {
         let begun = self.machine.now();
         self.aside = true;
@@ -264,7 +263,7 @@ impl<'m> Desk<'m> {
     }
 }
 
-/// Keys of every program, listed under its own but for those that it lists itself.
+/// Keys of every program, listed after its own unless it lists them itself.
 const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),
@@ -287,7 +286,7 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
     screen.text(40, 52, manual.about.of(language), Color::White);
     let mut y = KEYS_TOP;
-    // A key that has a meaning of its own in a program has no other.
+    // A program's own meaning of a key replaces the common one.
     let own =
         |key: &str| manual.keys.iter().any(|(keys, _)| keys.of(language).split(' ').any(|own| own == key));
     let common = COMMON_KEYS.iter().filter(|(key, _)| !own(key.of(language)));

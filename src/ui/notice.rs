@@ -1,4 +1,4 @@
-//! Messages that nobody has to answer: laid over the screen, gone after a while or with the next key.
+//! Messages that need no answer: drawn over the screen, gone after a while or at the next key.
 
 use super::frame::panel;
 use super::words::Phrase;

@@ -35,7 +35,7 @@ impl Kind {
 
 /// The width of a PNG that is proposed.
 const WIDTH_PROPOSED: &str = "1280";
-/// The largest width: nobody waits long for it. The command line writes larger ones.
+/// The largest width, still written quickly; the command line allows larger ones.
 const WIDEST: i32 = 4096;
 /// Characters of a width, of a title and of a caption.
 const LONGEST_NUMBER: usize = 5;
@@ -175,7 +175,7 @@ impl Desk<'_> {
         }
     }
 
-    /// Ends and saves the film, and says so; for as long as read if it ends by itself.
+    /// Ends and saves the film and says so, until it is read if the film ended by itself.
     pub(super) fn end_film(&mut self, stay: Stay) {
         match (self.machine.stop_film(), stay) {
             (Ok(Some(name)), Stay::Briefly) => self.tell(words::film_saved(&name), stay),
@@ -188,7 +188,7 @@ impl Desk<'_> {
     /// Shows the screen to the film; one that fails is over.
     pub(super) fn film_screen(&mut self) {
         if let Err(error) = self.machine.film_screen() {
-            // What there is of it is saved all the same.
+            // What has been recorded is saved all the same.
             let _ = self.machine.stop_film();
             self.tell(words::storage_problem(&error), Stay::UntilRead);
         }
@@ -216,7 +216,7 @@ impl Content {
         }
     }
 
-    /// The file, of so many pixels' width if it is a PNG; a screen is enlarged by a whole number.
+    /// The file; a PNG has this width in pixels, a screen the nearest whole multiple.
     fn encode(&self, kind: Kind, width: u32) -> Result<Vec<u8>, FigureError> {
         match (self, kind) {
             (Content::Figure(figure), Kind::Svg) => figure.to_svg().map(String::into_bytes),

@@ -11,7 +11,7 @@ pub struct History<T> {
     future: Vec<T>,
     /// The value that needs no saving, if there is one.
     saved: Option<T>,
-    /// Whether the present value or the saved one has become another since somebody last asked.
+    /// Whether the present or the saved value may have changed since the last [`History::take_touched`].
     touched: bool,
 }
 
@@ -32,7 +32,7 @@ impl<T: Clone + PartialEq> History<T> {
         &self.now
     }
 
-    /// Makes a new value the present one; the same value again is no change.
+    /// Makes a value the present one; an equal value is no change.
     pub fn change(&mut self, value: T) {
         if value != self.now {
             self.past.push(std::mem::replace(&mut self.now, value));
@@ -41,13 +41,13 @@ impl<T: Clone + PartialEq> History<T> {
         }
     }
 
-    /// Goes one change back; whether there was one.
+    /// Undoes one change; whether there was one.
     pub fn undo(&mut self) -> bool {
         self.touched = true;
         step(&mut self.past, &mut self.now, &mut self.future)
     }
 
-    /// Takes one undone change up again; whether there was one.
+    /// Redoes one change; whether there was one.
     pub fn redo(&mut self) -> bool {
         self.touched = true;
         step(&mut self.future, &mut self.now, &mut self.past)
@@ -59,7 +59,7 @@ impl<T: Clone + PartialEq> History<T> {
         self.touched = true;
     }
 
-    /// Notes that neither the present value nor any other has been saved.
+    /// Notes that no value at all has been saved.
     pub fn mark_unsaved(&mut self) {
         self.saved = None;
         self.touched = true;
@@ -75,13 +75,13 @@ impl<T: Clone + PartialEq> History<T> {
         self.saved.as_ref() != Some(value)
     }
 
-    /// Whether anything may have become different since this was last asked: who keeps copies of the value
-    /// need not compare it after every event.
+    /// Whether anything may have changed since the last call, so that a keeper of copies need not compare values after
+    /// every event.
     pub fn take_touched(&mut self) -> bool {
         std::mem::take(&mut self.touched)
     }
 
-    /// Lets the next [`History::take_touched`] be true, where more belongs to a copy than the value.
+    /// Makes the next [`History::take_touched`] true, where a copy holds more than the value.
     pub fn touch(&mut self) {
         self.touched = true;
     }

@@ -1,5 +1,5 @@
-//! The life of a configuration, the same in every program that edits one: new or stored, worked on,
-//! saved, left. Nothing is lost without having been asked.
+//! The life of a configuration, the same in every program that edits one: new or stored, edited, saved, left. Nothing
+//! is lost without a question.
 
 use super::files::{Files, dos_files, has_json, json_name, read_document, with_json, with_twin};
 use super::{History, rescue};
@@ -10,7 +10,7 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
 use serde::Serialize;
 
-/// What the next step of a program is after a command.
+/// What a program does after a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
     /// The same configuration goes on.
@@ -29,12 +29,12 @@ pub trait Configuration: Picture {
     /// The format of the stored configurations.
     fn format(&self) -> Format;
 
-    /// The method that the program draws by where a document names none: its files need not say it.
+    /// The method that the program draws by where a document names none.
     fn implied(&self) -> Option<Method> {
         None
     }
 
-    /// Whether files of the format have room for the configuration, its recipe aside; else it is saved as JSON.
+    /// Whether a file of the format can hold the configuration apart from its recipe; otherwise it is saved as JSON.
     fn fits_format(&self) -> bool {
         true
     }
@@ -57,8 +57,8 @@ pub trait Configuration: Picture {
     /// The model as `dump` writes it.
     fn model(&self) -> impl Serialize + 'static;
 
-    /// What a program asks before it asks for a new or a stored configuration; `true` if the answer is a
-    /// configuration already.
+    /// Asks what comes before the question for a new or a stored configuration; `true` if the answer already is a
+    /// configuration.
     ///
     /// # Errors
     /// [`Stop::Closed`] when the display is being closed.
@@ -72,7 +72,7 @@ pub trait Configuration: Picture {
     /// [`Stop::Closed`] when the display is being closed.
     fn work(&mut self, desk: &mut Desk<'_>) -> impl Future<Output = Asked<Next>>;
 
-    /// The whole configuration as text, also what its files cannot hold: what is kept while it is unsaved.
+    /// The whole configuration as text, including what its files cannot hold: what is kept while it is unsaved.
     ///
     /// # Errors
     /// What cannot be written.
@@ -83,7 +83,7 @@ pub trait Configuration: Picture {
     /// Takes up what [`Configuration::unsaved_work`] has written.
     ///
     /// # Errors
-    /// Why it is no such work; the configuration is the one before then.
+    /// What is wrong with it; the configuration stays as it was.
     fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
         self.open(&Document::from_json(work).map_err(|error| words::plain(&error))?)
     }
@@ -119,7 +119,7 @@ pub async fn run<C: Configuration>(
     document: Option<Document>,
 ) -> Asked<()> {
     let ended = live(&mut state, desk, document).await;
-    // Here the user has been asked whatever was to be asked; whoever breaks off does not come here.
+    // The user has answered everything; a session that breaks off does not get here.
     rescue::forget(desk);
     ended
 }
@@ -176,8 +176,7 @@ async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Ask
     Ok(taken)
 }
 
-/// Keeps the configuration as long as it is unsaved. To be called when it may have changed, before the
-/// program waits: [`event`] does it.
+/// Keeps the configuration while it is unsaved. To be called after changes, before the program waits; [`event`] does.
 pub fn keep<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) {
     if state.history().take_touched() {
         let unsaved = state.history().unsaved();
@@ -196,8 +195,8 @@ pub async fn event<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Aske
     desk.event(&*state).await
 }
 
-/// Carries out the keys that mean the same in every editor: undo, redo, save, and Esc, by which a program that
-/// the menu runs goes back to it. Whether it was one.
+/// Carries out the keys that every editor shares: undo, redo, save, and Esc, which returns to the menu that runs the
+/// program. Whether the key was one of them.
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed, or to go back.
@@ -321,7 +320,7 @@ fn store(files: &Files, storage: &mut dyn Storage) -> Result<(), Phrase> {
     Ok(())
 }
 
-/// Asks whether to save until it is answered and done; Esc: nothing shall be left.
+/// Asks whether to save until that is answered and done; Esc goes back to work.
 async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()> {
     while desk.yes(&*state, words::ASK_SAVE).await? {
         // Esc in the questions for the name leads back to this one.
@@ -332,8 +331,7 @@ async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> 
     Ok(())
 }
 
-/// The command Q: save, end, or a new configuration. Esc is the way back to work; to a question that can be
-/// answered by no, it is that.
+/// The command Q: save, end, or a new configuration. Esc goes back to work; where no is an answer, it means no.
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed.
@@ -350,8 +348,8 @@ pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked
     Ok(Next::Work)
 }
 
-/// Whether the display may close: at once if everything is saved, else as the user decides. The close
-/// button pressed again leaves the question standing, so that no slip loses work.
+/// Whether the display may close: at once if everything is saved, else as the user decides. Pressing the close button
+/// again leaves the question standing, so that a slip loses no work.
 async fn may_close<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> bool {
     while state.history().unsaved() {
         match offer_to_save(state, desk).await {

@@ -1,13 +1,13 @@
 //! Unsaved work is kept while it grows, and offered again after a session that broke off.
 //!
-//! What the work is as text, and how it is taken up, is the program's.
+//! The program decides how its work is written as text and read again.
 
 use crate::machine::{Asked, Asking, Verdict, Work};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Picture, Stay};
 
-/// Keeps the unsaved work, or notes that there is none; a machine without a place for it is not asked for the
-/// work. Why it cannot be kept is told once.
+/// Keeps the unsaved work, or notes that there is none. `work` is not called on a machine without a recovery. Errors are
+/// reported once.
 pub fn keep(desk: &mut Desk<'_>, work: impl FnOnce() -> Option<Result<String, Phrase>>) {
     let (program, file) = (desk.program().to_string(), desk.machine.file().map(str::to_string));
     let Some(recovery) = desk.machine.recovery() else { return };
@@ -18,23 +18,22 @@ pub fn keep(desk: &mut Desk<'_>, work: impl FnOnce() -> Option<Result<String, Ph
     }
 }
 
-/// Tells why work could not be kept, if that has become known.
+/// Reports why work could not be kept, if it could not.
 pub fn tell_problem(desk: &mut Desk<'_>) {
     if let Some(problem) = desk.machine.recovery().and_then(|recovery| recovery.problem()) {
         desk.tell(words::not_kept(&problem), Stay::UntilRead);
     }
 }
 
-/// Notes that nothing is left to keep: all is saved, or the user has decided so.
+/// Notes that nothing is left to keep: everything is saved or given up.
 pub fn forget(desk: &mut Desk<'_>) {
     if let Some(recovery) = desk.machine.recovery() {
         recovery.forget();
     }
 }
 
-/// Offers the work of sessions that broke off, the newest first, until one is taken up (`true`) or there is
-/// no more. While the question stands the program shows the work, which `take_up` makes its present one;
-/// `put_down` goes back to the start.
+/// Offers the work of sessions that broke off, newest first, until one is taken up (`true`) or none is left. `take_up`
+/// loads the work, so that the program shows it under the question; `put_down` goes back to the start.
 ///
 /// # Errors
 /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed; the work will be offered at the next start.
@@ -84,7 +83,7 @@ pub async fn offer<P: Picture>(
     Ok(found)
 }
 
-/// Asks what shall become of work. Only a second yes deletes it.
+/// Asks what to do with lost work. Only a second yes deletes it.
 async fn decide(picture: &impl Picture, desk: &mut Desk<'_>, facts: &Phrase) -> Asked<Verdict> {
     match desk.ask_about(picture, facts, words::ASK_TAKE_UP).await.unless_cancelled()? {
         Some(Answer::First) => return Ok(Verdict::TakenUp),
