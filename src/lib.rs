@@ -3,9 +3,14 @@
 //! points, the data files of the DOS programs, and pictures for other programs.
 //!
 //! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
-//! [`screen`], [`geometry`], [`table`], [`puzzle`] and [`pascal`] on the ground floor, above them [`mod@file`], [`figure`] and
-//! [`machine`], then [`ui`], [`display`] and `disk`, then [`editor`], [`cursor`] and the pages of a text mode. The programs themselves
-//! stand on top of the library.
+//!
+//! 1. [`screen`], [`geometry`], [`table`], [`puzzle`], [`pascal`]: values and algorithms without I/O;
+//! 2. [`machine`], [`figure`], [`mod@file`]: what a program runs on, and the formats it reads and writes;
+//! 3. [`ui`], [`design`], [`display`], `disk`: the toolkit, what a document describes, and where it is shown and kept;
+//! 4. [`work`], [`cursor`], `textmode`: the life of a document, cursors, pages of text;
+//! 5. [`editor`]: the editor of curves and surfaces;
+//! 6. [`programs`]: the programs themselves;
+//! 7. `launch`: their start from a command line.
 
 pub mod cursor;
 pub mod design;

@@ -148,7 +148,7 @@ impl Coefficient {
         Coefficient::new(self.column, k)
     }
 
-    /// The one so many columns to the right, going round.
+    /// The one that many columns to the right, wrapping around.
     pub fn beside(self, columns: usize) -> Coefficient {
         let all = Column::ALL;
         let index = all.iter().position(|(column, _)| *column == self.column).unwrap_or(0);
@@ -191,7 +191,7 @@ impl Coefficient {
     /// Name and value with what the window has no room for, in at most 20 characters.
     pub fn exact(self, fourier: &Fourier) -> String {
         let value = self.of(fourier);
-        // Eleven digits: as many as a real of the file keeps for sure.
+        // Eleven digits: what a 6-byte real always keeps.
         let rounded: f64 = format!("{value:.10e}").parse().unwrap_or(value);
         let plain = rounded.to_string();
         let text = if plain.len() <= 13 { plain } else { format!("{value:.5e}") };

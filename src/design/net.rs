@@ -21,7 +21,7 @@ impl Part {
     /// Every part.
     pub const ALL: [Part; 4] = [Part::Place, Part::Twist, Part::TangentU, Part::TangentV];
 
-    /// Where it stands in the matrix (3.17), from the corner's place.
+    /// Its offset in the matrix (3.17) from the corner.
     fn offset(self) -> [usize; 2] {
         match self {
             Part::Place => [0, 0],
@@ -38,7 +38,7 @@ pub type Index = [usize; 2];
 /// A control net, and how the surface follows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NetDesign {
-    /// The net with method and parameters. Row k is the points of constant u, all of the same number.
+    /// The net with method and parameters. Row k holds the points of constant u; all rows have the same length.
     pub net: Net,
     /// The method where the net names none.
     pub implied: Method,

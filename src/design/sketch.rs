@@ -13,7 +13,7 @@ use crate::geometry::{
 pub struct Sketch<const D: usize> {
     /// The control points.
     pub points: Vec<Point<D>>,
-    /// The full tangent vector at each point, where the user shapes them.
+    /// The full tangent vector at each point, if the user sets them.
     pub tangents: Option<Vec<Point<D>>>,
     /// The shape of the joint at each point, where the joints of a beta-spline differ.
     pub joints: Option<Vec<Shape>>,
@@ -184,7 +184,7 @@ where
     /// The sketch, if an editor can show it.
     ///
     /// # Errors
-    /// Too many points, or one where none may lie.
+    /// Too many points, or one outside of the allowed range.
     pub fn fitting(self) -> Result<Sketch<D>, DesignError> {
         if let Some((index, place)) = self.points.iter().enumerate().find(|(_, point)| !point.fits()) {
             return Err(DesignError::Outside(index + 1, place.to_vec()));

@@ -54,12 +54,12 @@ impl Shown {
         (self.known, self.visible) = (known, known);
     }
 
-    /// After a change it goes out of the picture, unless it shall follow.
+    /// After a change it leaves the picture, unless it follows.
     pub(super) fn after_change(&mut self) {
         self.visible &= self.follow;
     }
 
-    /// After a change by number there is none any more, unless it shall follow.
+    /// After a change by number there is none, unless it follows.
     pub(super) fn after_edit(&mut self) {
         if !self.follow {
             self.take(false);

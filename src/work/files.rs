@@ -8,7 +8,7 @@ use crate::ui::words::{self, Phrase};
 /// Files to be written: their names and contents.
 pub type Files = Vec<(String, Vec<u8>)>;
 
-/// The same name with another extension, in small letters where that of the name is.
+/// The same name with another extension, in lower case if that of the name is.
 fn twin(name: &str, extension: &str) -> String {
     let (stem, old) = name.rsplit_once('.').unwrap_or((name, ""));
     let small = old.chars().any(char::is_lowercase);
@@ -20,7 +20,7 @@ pub(super) fn json_name(name: &str) -> String {
     twin(name, "JSON")
 }
 
-/// Reads a document of a format; a file that is not there is told in the original's words.
+/// Reads a document of a format; a missing file is reported in the original's words.
 ///
 /// # Errors
 /// What is wrong with the file.
@@ -32,7 +32,7 @@ pub fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Resul
     Document::read(format, &content).map_err(|error| words::in_file(name, &error))
 }
 
-/// The document of an `.IC2` file with the tangents of its twin, where there is one; others as they are.
+/// The document of an `.IC2` file with the tangents of its twin, if there is one; other documents unchanged.
 pub fn with_twin(document: Document, storage: &dyn Storage, name: &str) -> Document {
     let is_ic2 = Format::from_name(name) == Some(Format::Ic2);
     match (document, is_ic2) {
@@ -46,8 +46,8 @@ pub fn with_twin(document: Document, storage: &dyn Storage, name: &str) -> Docum
     }
 }
 
-/// The document of the JSON file beside a DOS file, if that would be saved as this very file; else the document
-/// as it is.
+/// The document of the JSON file beside a DOS file, if saving it would give exactly this file; otherwise the document
+/// unchanged.
 pub fn with_json(document: Document, storage: &dyn Storage, name: &str) -> Document {
     let Some(format) = Format::from_name(name) else { return document };
     let read = |name: &str| storage.read(name).ok();
@@ -57,8 +57,8 @@ pub fn with_json(document: Document, storage: &dyn Storage, name: &str) -> Docum
     }
 }
 
-/// Whether the JSON file beside a DOS file says the same as what is there, or as what is about to be written. It is
-/// looked at without being remembered as read, so that changes by others still show.
+/// Whether the JSON file beside a DOS file belongs to what is there, or to what is about to be written. Looking does
+/// not count as reading, so that changes by others are still noticed.
 pub(super) fn has_json(disk: &machine::Files, name: &str, format: Format, new: &Files) -> bool {
     let read = |name: &str| match disk.standing(name) {
         Standing::Free => None,
@@ -80,8 +80,8 @@ fn all_there(read: impl Fn(&str) -> Option<Vec<u8>>, files: &Files) -> bool {
     files.iter().all(|(name, content)| read(name).as_ref() == Some(content))
 }
 
-/// The DOS files of a document with what they have room for: the file of the name itself, and the `.EC2` file beside
-/// an `.IC2` file if there are tangents. [`design::lost`](crate::design::lost) says what they leave out.
+/// A document as DOS files: the named file, and the `.EC2` file beside an `.IC2` file if there are tangents.
+/// [`design::lost`](crate::design::lost) says what they leave out.
 ///
 /// # Errors
 /// What is wrong with the points.

@@ -2,8 +2,7 @@
 
 /// A value with its past and its undone future.
 ///
-/// Values are kept whole: a drawing of 99 points is 1.6 kilobytes, so that an hour of changes is a few
-/// megabytes.
+/// Values are kept whole: a drawing of 99 points takes 1.6 kilobytes, an hour of changes a few megabytes.
 #[derive(Clone, Debug)]
 pub struct History<T> {
     past: Vec<T>,

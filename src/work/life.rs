@@ -88,7 +88,7 @@ pub trait Configuration: Picture {
         self.open(&Document::from_json(work).map_err(|error| words::plain(&error))?)
     }
 
-    /// Reads a stored configuration, with what lies beside its file.
+    /// Reads a stored configuration, including its twin or the JSON file beside it.
     ///
     /// # Errors
     /// What is wrong with the file.
@@ -108,8 +108,8 @@ pub trait Configuration: Picture {
     }
 }
 
-/// Runs a program that edits configurations, with a document that was named at the start or none. Work that
-/// an earlier session has lost is offered first.
+/// Runs a program that edits configurations, with the document named at the start, if any. Lost work is offered
+/// first.
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed and nothing is left to save.
@@ -137,7 +137,7 @@ async fn live<C: Configuration>(state: &mut C, desk: &mut Desk<'_>, document: Op
         };
         next = match step {
             Ok(next) => next,
-            // A command that was cancelled; what is worked on is as it was.
+            // A cancelled command; nothing has changed.
             Err(Stop::Cancelled) => Next::Work,
             Err(Stop::Closed) if may_close(state, desk).await => return Err(Stop::Closed),
             Err(Stop::Closed) => {
@@ -166,7 +166,7 @@ async fn begin_with<C: Configuration>(
     }
 }
 
-/// Offers lost work; whether some was taken up, as unsaved as it is.
+/// Offers lost work; whether some was taken up. It counts as unsaved.
 async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<bool> {
     let taken = rescue::offer(state, desk, C::take_up, C::reset).await?;
     if taken {
@@ -281,8 +281,8 @@ async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<boo
     }
 }
 
-/// The files that a configuration is stored in under a name. What its format cannot hold is said, and a JSON file
-/// beside it offered; one that belongs to the file already goes on being written.
+/// The files that a configuration is stored in. What the format cannot hold is named, and a JSON file beside it is
+/// offered; a JSON file that already belongs to it is written without a question.
 async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> Asked<Result<Files, Phrase>> {
     if !state.fits_format() {
         return Ok(state.json(name).map(|file| vec![file]));
@@ -304,7 +304,7 @@ async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> 
             let facts = words::not_held(format, &lost, &json);
             desk.ask_about(state, &facts, words::ASK_JSON).await? == Answer::First
         }
-        // The originals know nothing of joints and have no question.
+        // The originals have no such question, and no shapes of joints.
         Manner::Original => lost.iter().any(|name| name == "joints"),
     };
     Ok(wanted.then(|| state.json(&json)).transpose().map(|json| {

@@ -1,4 +1,4 @@
-//! Unsaved work is kept while it grows, and offered again after a session that broke off.
+//! Unsaved work is kept after every change, and offered again after a session that broke off.
 //!
 //! The program decides how its work is written as text and read again.
 
@@ -18,7 +18,7 @@ pub fn keep(desk: &mut Desk<'_>, work: impl FnOnce() -> Option<Result<String, Ph
     }
 }
 
-/// Reports why work could not be kept, if it could not.
+/// Reports that work could not be kept.
 pub fn tell_problem(desk: &mut Desk<'_>) {
     if let Some(problem) = desk.machine.recovery().and_then(|recovery| recovery.problem()) {
         desk.tell(words::not_kept(&problem), Stay::UntilRead);
