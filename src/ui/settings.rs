@@ -1,32 +1,17 @@
 //! The settings page (F9): what is chosen for all programs.
 
 use super::desk::{Desk, Picture};
-use super::entry::Accepts;
-use super::frame::{Area, panel};
+use super::frame::Area;
 use super::notice::Stay;
-use super::save::line_entry;
+use super::panel::{Panel, Row, Tab};
 use super::words::{self, Phrase, Words};
-use crate::machine::{Asked, Asking, Key, Language, Preference, Preferences};
+use crate::machine::{Asked, Asking, Language, Preference, Preferences};
 use crate::screen::{Color, Screen};
 
-/// The panel of the page, and where its lines begin.
+/// Where the page lies.
 const PAGE: Area = Area::new(88, 120, 551, 345);
-const TOP: i32 = PAGE.y1 + 40;
-const LINE: i32 = 20;
-/// Where the values stand.
-const VALUES: i32 = PAGE.x1 + 232;
 /// Letters of a value that the page has room for.
 const ROOM: usize = 27;
-/// Letters that a folder may have.
-const LONGEST_FOLDER: usize = 250;
-
-/// What the page shows over the program's picture.
-struct Page<'p> {
-    under: &'p dyn Picture,
-    preferences: Preferences,
-    chosen: usize,
-}
-
 const fn name(preference: Preference) -> Words {
     match preference {
         Preference::Language => Words("Nyelv", "Language"),
@@ -61,33 +46,28 @@ fn shown(preference: Preference, value: &str, language: Language) -> String {
     words.of(language).to_string()
 }
 
-impl Page<'_> {
-    fn line(index: usize) -> Area {
-        let y = TOP + LINE * i32::try_from(index).unwrap_or(0);
-        Area::new(PAGE.x1 + 12, y - 6, PAGE.x2 - 12, y + 13)
-    }
-}
-
-impl Picture for Page<'_> {
-    fn draw(&self, screen: &mut Screen, language: Language) {
-        self.under.draw(screen, language);
-        panel(screen, PAGE.x1, PAGE.y1, PAGE.x2 - PAGE.x1, PAGE.y2 - PAGE.y1);
-        screen.text(PAGE.x1 + 16, PAGE.y1 + 12, words::SETTINGS.of(language), Color::LightRed);
-        for (index, preference) in Preference::ALL.into_iter().enumerate() {
-            let area = Self::line(index);
-            if index == self.chosen {
-                screen.bar(area.x1, area.y1, area.x2, area.y2, Color::White);
-            }
-            let y = area.y1 + 6;
-            screen.text(PAGE.x1 + 16, y, name(preference).of(language), Color::Black);
-            let value = shown(preference, &self.preferences.get(preference), language);
-            screen.text(VALUES, y, &value, Color::Blue);
-        }
-        // All 16 colours, as they are now.
-        for (x, color) in (PAGE.x1 + 16..).step_by(27).zip(Color::ALL) {
-            screen.bar(x, PAGE.y2 - 58, x + 26, PAGE.y2 - 44, color);
-        }
-        screen.text(PAGE.x1 + 16, PAGE.y2 - 30, words::SETTINGS_KEYS.of(language), Color::Black);
+/// The row of a preference.
+fn row(preference: Preference) -> Row<Preferences> {
+    let shown = |it: &Preferences, row: usize, language: Language| {
+        let preference = Preference::ALL.get(row).copied().unwrap_or(Preference::Folder);
+        shown(preference, &it.get(preference), language)
+    };
+    match preference {
+        Preference::Folder => Row::Text {
+            name: name(preference),
+            caption: words::FOLDER_ENTRY,
+            get: |it| it.get(Preference::Folder),
+            shown,
+            // Any text is a folder; whether there is one shows when a file is saved.
+            set: |it, folder| drop(it.set(Preference::Folder, folder)),
+        },
+        _ => Row::Choice {
+            name: name(preference),
+            shown,
+            turn: |it, row, forward| {
+                Preference::ALL.get(row).into_iter().for_each(|&preference| it.turn(preference, forward));
+            },
+        },
     }
 }
 
@@ -95,44 +75,22 @@ impl Desk<'_> {
     /// The key F9: shows the settings over the program's picture until Esc; every change counts at once and is
     /// kept.
     pub(super) async fn settings(&mut self, under: &dyn Picture) -> Asked<()> {
-        let mut page = Page { under, preferences: self.machine.preferences(), chosen: 0 };
-        loop {
-            let tick = self.event(&page).await?;
-            let Some(&preference) = Preference::ALL.get(page.chosen) else { return Ok(()) };
-            let last = Preference::ALL.len() - 1;
-            let clicked = tick.click().map(|(x, y)| (0..=last).find(|&index| Page::line(index).holds(x, y)));
-            let forward = match (tick.key(), clicked) {
-                (_, Some(Some(index))) if index != page.chosen => {
-                    page.chosen = index;
-                    continue;
-                }
-                (_, Some(Some(_))) => true,
-                (Some(Key::Up), _) => {
-                    page.chosen = page.chosen.checked_sub(1).unwrap_or(last);
-                    continue;
-                }
-                (Some(Key::Down), _) => {
-                    page.chosen = if page.chosen == last { 0 } else { page.chosen + 1 };
-                    continue;
-                }
-                (Some(Key::Left), _) => false,
-                (Some(Key::Right | Key::Enter | Key::Char(' ')), _) => true,
-                (Some(Key::Esc | Key::F(9)), _) => return Ok(()),
-                _ => continue,
-            };
-            if preference == Preference::Folder {
-                let entry =
-                    line_entry(LONGEST_FOLDER, Accepts::Text).proposing(page.preferences.get(preference));
-                let typed = self.type_line(&page, words::FOLDER_ENTRY, entry).await;
-                let Some(folder) = typed.unless_cancelled()? else { continue };
-                // Any text is a folder; whether there is one shows when a file is saved.
-                let _ = page.preferences.set(preference, &folder);
-            } else {
-                page.preferences.turn(preference, forward);
+        // All 16 colours, as they are now.
+        let colors = Row::Preview(2, |_: &Preferences, screen: &mut Screen, area: Area| {
+            for (x, color) in (area.x1 + 4..).step_by(27).zip(Color::ALL) {
+                screen.bar(x, area.y1 + 13, x + 26, area.y1 + 27, color);
             }
-            if let Err(problem) = self.machine.set_preferences(page.preferences.clone()) {
+        });
+        let rows = Preference::ALL.into_iter().map(row).chain([colors]).collect();
+        let tabs = vec![Tab { name: words::SETTINGS, rows }];
+        let mut panel =
+            Panel { area: PAGE, title: words::SETTINGS, keys: words::SETTINGS_KEYS, tabs, chosen: [0, 0] };
+        let mut preferences = self.machine.preferences();
+        while self.panel(under, &mut panel, &mut preferences).await.unless_cancelled()?.is_some() {
+            if let Err(problem) = self.machine.set_preferences(preferences.clone()) {
                 self.tell(Phrase::plain(&problem), Stay::UntilRead);
             }
         }
+        Ok(())
     }
 }

@@ -210,6 +210,13 @@ pub(crate) fn not_held(format: Format, lost: &[String], json: &str) -> Phrase {
         format!("{format} cannot hold: {lost}. {json} would."),
     )
 }
+/// The caption of an entry for a number of a panel.
+pub(crate) const NEW_NUMBER: Words = Words("Új szám:", "New number:");
+/// A number lies outside of what it may be.
+pub(crate) fn out_of(range: &std::ops::RangeInclusive<f64>) -> Phrase {
+    let range = format!("{}...{}", range.start(), range.end());
+    Phrase::new(format!("{range} között kell lennie"), format!("It must be {range}"))
+}
 /// Whether a JSON file shall be written too.
 pub(crate) const ASK_JSON: Words = Words("JSON is mellé?", "JSON beside it?");
 
