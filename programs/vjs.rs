@@ -6,25 +6,50 @@ mod panel;
 
 use super::groups;
 use crate::machine::{Asked, Button, Key, Machine, Mouse, Tick};
-use crate::ui::{CommandLine, Demo, Desk, Lesson, Manual, Program, Words, without_document};
+use crate::ui::{
+    Command, CommandLine, Commands, Demo, Desk, KeyHelp, Lesson, Manual, Program, Words, line,
+    without_document,
+};
 use motion::{Motion, STEPS_PER_SECOND};
 use panel::{HANDLE_RADIUS, Panel, STICK};
 use serde::Serialize;
 use std::time::Duration;
 
+/// What a command does.
+#[derive(Clone, Copy)]
+enum Action {
+    Tilt(i32, i32),
+    Upright,
+    Restart,
+    Back,
+    End,
+}
+
+const DRAG: KeyHelp = (
+    Words("egér", "mouse"),
+    Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; let go, it springs back"),
+);
+const TILT_IT: KeyHelp = (Words("nyilak", "arrows"), Words("a fogantyú döntése", "tilt the stick"));
+const UPRIGHT: KeyHelp = line("Home", "a fogantyú középre", "stick upright");
+const RESTART: KeyHelp = (Words("szóköz", "space"), Words("minden az elejéről", "start again"));
+const END: KeyHelp = line("Q Esc", "vége", "end");
+
+const COMMANDS: Commands<Action> = Commands(&[
+    Command::told(DRAG),
+    Command::key(Key::Left, TILT_IT, Action::Tilt(-TILT_STEP, 0)),
+    Command::also(Key::Right, Action::Tilt(TILT_STEP, 0)),
+    Command::also(Key::Up, Action::Tilt(0, TILT_STEP)),
+    Command::also(Key::Down, Action::Tilt(0, -TILT_STEP)),
+    Command::key(Key::Home, UPRIGHT, Action::Upright),
+    Command::key(Key::Char(' '), RESTART, Action::Restart),
+    Command::key(Key::Char('Q'), END, Action::End),
+    Command::also(Key::Esc, Action::Back),
+]);
+
 const MANUAL: Manual = Manual {
     name: "vjs",
     about: Words("Virtuális joystick: gyorsulás egérrel", "A virtual joystick: acceleration by mouse"),
-    keys: &[
-        (
-            Words("egér", "mouse"),
-            Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; let go, it springs back"),
-        ),
-        (Words("nyilak", "arrows"), Words("a fogantyú döntése", "tilt the stick")),
-        (Words("Home", "Home"), Words("a fogantyú középre", "stick upright")),
-        (Words("szóköz", "space"), Words("minden az elejéről", "start again")),
-        (Words("Q Esc", "Q Esc"), Words("vége", "end")),
-    ],
+    keys: &COMMANDS.help::<{ COMMANDS.lines() }>(),
     lesson: &[
         Lesson::Line(Words(
             "A fogantyú helye a pont gyorsulása, a. Minden tau időlépésben (1.1):",
@@ -117,20 +142,6 @@ impl Joystick {
             (false, _) => {}
         }
     }
-
-    /// The handle follows the keys, unless the mouse holds it.
-    fn key(&mut self, key: Key) {
-        let (x, y) = self.handle;
-        match key {
-            _ if self.held => {}
-            Key::Left => self.tilt(x - TILT_STEP, y),
-            Key::Right => self.tilt(x + TILT_STEP, y),
-            Key::Up => self.tilt(x, y + TILT_STEP),
-            Key::Down => self.tilt(x, y - TILT_STEP),
-            Key::Home => self.tilt(0, 0),
-            _ => {}
-        }
-    }
 }
 
 async fn run(machine: &mut Machine) -> Asked<()> {
@@ -149,12 +160,23 @@ async fn run(machine: &mut Machine) -> Asked<()> {
         let tick = desk.frame(&panel).await?;
         joystick.run_to(desk.clock());
         joystick.follow(&tick);
-        match tick.key() {
-            Some(Key::Esc) if joystick.held => joystick.let_go(),
-            Some(Key::Esc | Key::Char('q' | 'Q')) => return Ok(()),
-            Some(Key::Char(' ')) => joystick = Joystick { begun: desk.clock(), ..Joystick::default() },
-            Some(key) => joystick.key(key),
-            None => {}
+        let (x, y) = joystick.handle;
+        match COMMANDS.find(&tick) {
+            Some(Action::Back) if joystick.held => joystick.let_go(),
+            Some(Action::Back | Action::End) => return Ok(()),
+            Some(Action::Restart) => joystick = Joystick { begun: desk.clock(), ..Joystick::default() },
+            // The mouse that holds the handle comes before the keys.
+            Some(Action::Tilt(dx, dy)) if !joystick.held => joystick.tilt(x + dx, y + dy),
+            Some(Action::Upright) if !joystick.held => joystick.tilt(0, 0),
+            _ => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(super::COMMANDS.shared_keys(), []);
     }
 }

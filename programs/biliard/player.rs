@@ -4,20 +4,55 @@ use super::game::Game;
 use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
-use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Stop, StorageProblem, Tick};
+use crate::file::Document;
+use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Storage, Tick};
 use crate::screen::Screen;
 use crate::table::{Surface, Table};
-use crate::ui::{Desk, Manual, Phrase, Picture, Stay, Way, words};
-use crate::work::{History, rescue};
+use crate::ui::{Command, Commands, Desk, KeyHelp, Manual, Phrase, Picture, Stay, Words, words};
+use crate::work::{self, History, Next, Work};
 use serde::Serialize;
 use std::time::Duration;
 
-/// The extension of saved games.
-const EXTENSION: &str = "JSON";
 /// The most spin of a shot, in quarters of its speed.
 const MOST_SPIN: i32 = 4;
 /// Where the mouse may be while it aims: the cloth, as in the original.
 const CLOTH: [[i32; 2]; 2] = [[38, 601], [38, 441]];
+
+/// What a command does.
+#[derive(Clone, Copy)]
+enum Action {
+    Do(fn(&mut Player, &mut Desk<'_>)),
+    Back,
+    NewRack,
+    Save,
+    Load,
+    End,
+}
+
+const COMMANDS: Commands<Action> = Commands(&[
+    Command::told(texts::SHOOT),
+    Command::key(Key::Esc, texts::BACK, Action::Back),
+    Command::key(Key::Enter, texts::SKIP, Action::Do(|player, _| player.come_to_rest())),
+    Command::key(Key::Char('A'), texts::LINE, Action::Do(|player, _| player.line = !player.line)),
+    Command::key(Key::Char('R'), texts::SLOWLY, Action::Do(Player::replay)),
+    Command::key(
+        Key::Char('S'),
+        texts::ROUGH,
+        Action::Do(|player, _| player.change(Game::with_other_surface)),
+    ),
+    Command::key(Key::Left, texts::SPIN, Action::Do(|player, _| player.turn_spin(-1))),
+    Command::also(Key::Right, Action::Do(|player, _| player.turn_spin(1))),
+    Command::key(Key::Char('P'), texts::POINTS, Action::Do(|player, _| player.change(Game::with_other_mode))),
+    Command::key(Key::Char('N'), texts::RACK, Action::NewRack),
+    Command::key(Key::Ctrl('S'), texts::FILES, Action::Save),
+    Command::also(Key::Ctrl('O'), Action::Load),
+    Command::key(Key::Ctrl('Z'), texts::UNDO, Action::Do(Player::undo)),
+    Command::also(Key::Ctrl('Y'), Action::Do(Player::redo)),
+    Command::key(Key::Char('Q'), texts::END, Action::End),
+]);
+
+/// The help page.
+pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
 /// A ball held by the mouse.
 #[derive(Clone, Copy)]
@@ -37,6 +72,8 @@ struct Player {
     rolling: Option<Rolling>,
     line: bool,
     spin: i32,
+    /// Time on the machine's clock: balls roll on while help is read.
+    now: Duration,
 }
 
 /// The model as `dump` writes it.
@@ -52,63 +89,121 @@ struct Model {
 /// Plays until the end.
 ///
 /// # Errors
-/// [`Stop::Closed`] when the display is being closed.
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
 pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Asked<()> {
-    let mut player = Player {
+    let player = Player {
         games: History::new(Game::new()),
         discs: Discs::new(),
         grip: None,
         rolling: None,
         line: true,
         spin: 0,
+        now: Duration::ZERO,
     };
-    let mut desk = Desk::new(machine, manual);
-    desk.machine.set_file(None);
-    if rescue::offer(&mut player, &mut desk, Player::take_up, Player::put_down).await? {
-        player.games.mark_unsaved();
-    }
-    let ended = loop {
-        match player.play(&mut desk).await {
-            Ok(()) => break Ok(()),
-            Err(Stop::Closed) if player.may_close(&mut desk).await => break Err(Stop::Closed),
-            // The player stays after all.
-            Err(_) => {}
-        }
-    };
-    rescue::forget(&mut desk);
-    ended
+    work::run(player, &mut Desk::new(machine, manual), None).await
 }
 
-/// The picture of a table at rest.
 impl Picture for Player {
     fn draw(&self, screen: &mut Screen, language: Language) {
-        self.view(Duration::ZERO).draw(screen, language);
+        self.view().draw(screen, language);
     }
 }
 
-impl Player {
-    /// Takes up a game that an earlier session has lost.
+impl Work for Player {
+    type Value = Game;
+
+    const ASK_SAVE: Words = texts::ASK_SAVE;
+    const SAVED: Option<Words> = Some(texts::SAVED);
+
+    fn history(&mut self) -> &mut History<Game> {
+        &mut self.games
+    }
+
+    /// Only a game for points is worth a question; a shot in motion counts as it will end.
+    fn unsaved(&mut self) -> bool {
+        let game = self.outcome();
+        game.points.is_some() && self.games.differs(&game)
+    }
+
+    fn reset(&mut self) {
+        self.games = History::new(Game::new());
+    }
+
+    fn open(&mut self, _: &Document) -> Result<(), Phrase> {
+        Err(texts::NO_DOCUMENT.into())
+    }
+
+    fn document(&self) -> Result<Document, Phrase> {
+        Err(texts::NO_DOCUMENT.into())
+    }
+
+    fn model(&self) -> impl Serialize + 'static {
+        let game = self.games.now().clone();
+        Model {
+            rolling: self.rolling.is_some(),
+            table: self.rolling.as_ref().map_or_else(|| game.table(), |it| it.table.clone()),
+            unsaved: game.points.is_some() && self.games.unsaved(),
+            game,
+        }
+    }
+
+    /// Balls must rest: the clock goes on while a question stands.
+    fn settle(&mut self) {
+        self.grip = None;
+        self.come_to_rest();
+    }
+
+    async fn ask_first(&mut self, _: &mut Desk<'_>) -> Asked<bool> {
+        Ok(true)
+    }
+
+    /// Makes the steps that are due, and takes up where the balls have come to rest.
+    fn look(&mut self, desk: &Desk<'_>) {
+        self.now = desk.machine.now();
+        if self.rolling.as_mut().is_some_and(|rolling| rolling.advance(self.now)) {
+            self.come_to_rest();
+        }
+    }
+
+    fn due(&self) -> Option<Duration> {
+        Some(self.rolling.as_ref()?.next_moment(self.now).saturating_sub(self.now))
+    }
+
+    async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
+        loop {
+            let tick = work::event(self, desk).await?;
+            self.mouse(&tick);
+            if let Some(action) = COMMANDS.find(&tick)
+                && self.obey(desk, action).await.unless_cancelled()? == Some(true)
+            {
+                return Ok(Next::End);
+            }
+        }
+    }
+
+    fn unsaved_work(&self) -> Result<String, Phrase> {
+        serde_json::to_string(&self.outcome()).map_err(|error| Phrase::plain(&error))
+    }
+
     fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
         self.games = History::new(Game::read(work.as_bytes()).map_err(|why| Phrase::plain(&why))?);
         Ok(())
     }
 
-    fn put_down(&mut self) {
-        self.games = History::new(Game::new());
+    /// Undo leads back to the game before.
+    fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
+        let content = work::read_content(storage, name)?;
+        self.games.change(Game::read(&content).map_err(|why| texts::no_game(name, &why))?);
+        Ok(())
     }
 
-    /// Keeps the game as long as it is unsaved; a shot in motion as it will end.
-    fn keep(&mut self, desk: &mut Desk<'_>) {
-        if self.games.take_touched() {
-            rescue::keep(desk, || {
-                let game = self.outcome();
-                let unsaved = game.points.is_some() && self.games.differs(&game);
-                unsaved.then(|| serde_json::to_string(&game).map_err(|error| Phrase::plain(&error)))
-            });
-        }
-        rescue::tell_problem(desk);
+    fn json(&self, name: &str) -> Result<Vec<u8>, Phrase> {
+        let text = serde_json::to_string_pretty(self.games.now());
+        text.map(|text| (text + "\n").into_bytes()).map_err(|error| texts::no_game(name, &error.to_string()))
     }
+}
 
+impl Player {
     /// The game when the balls have come to rest.
     fn outcome(&self) -> Game {
         match &self.rolling {
@@ -117,39 +212,7 @@ impl Player {
         }
     }
 
-    /// Plays until the player asks for the end.
-    async fn play(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        loop {
-            let now = desk.machine.now();
-            self.let_roll(now);
-            self.keep(desk);
-            desk.machine.publish(self.model());
-            let view = self.view(now);
-            let tick = match &self.rolling {
-                Some(rolling) => desk.event_before(&view, rolling.next_moment(now)).await?,
-                None => desk.event(&view).await?,
-            };
-            self.let_roll(tick.now);
-            self.mouse(&tick);
-            if let Some(key) = tick.key()
-                && self.key(desk, key).await.unless_cancelled()? == Some(true)
-            {
-                return Ok(());
-            }
-        }
-    }
-
-    fn model(&self) -> Model {
-        let table = self.rolling.as_ref().map_or_else(|| self.games.now().table(), |it| it.table.clone());
-        Model {
-            rolling: self.rolling.is_some(),
-            table,
-            game: self.games.now().clone(),
-            unsaved: self.unsaved(),
-        }
-    }
-
-    fn view(&self, now: Duration) -> View<'_> {
+    fn view(&self) -> View<'_> {
         let game = self.games.now();
         let aimed = self.grip.and_then(|grip| {
             let ghost = grip.ghost?;
@@ -158,18 +221,11 @@ impl Player {
         View {
             discs: &self.discs,
             game,
-            table: self.rolling.as_ref().map_or_else(|| game.table(), |rolling| rolling.at(now)),
+            table: self.rolling.as_ref().map_or_else(|| game.table(), |rolling| rolling.at(self.now)),
             aimed,
             line: self.line,
             spin: self.spin,
             replay: self.rolling.as_ref().is_some_and(|rolling| rolling.pace == Pace::Slow),
-        }
-    }
-
-    /// Makes the steps that are due, and takes up where the balls have come to rest.
-    fn let_roll(&mut self, now: Duration) {
-        if self.rolling.as_mut().is_some_and(|rolling| rolling.advance(now)) {
-            self.come_to_rest();
         }
     }
 
@@ -191,7 +247,7 @@ impl Player {
                 self.grip = ball.map(|ball| Grip { ball, from: (x, y), ghost: None });
             }
             Some(Event::Move(..)) => self.drag(tick.mouse.x, tick.mouse.y),
-            Some(Event::Release(Button::Left)) => self.let_go(tick.now),
+            Some(Event::Release(Button::Left)) => self.let_go(),
             Some(Event::Wheel(steps)) => self.turn_spin(steps),
             _ => {}
         }
@@ -207,12 +263,12 @@ impl Player {
         }
     }
 
-    fn let_go(&mut self, now: Duration) {
+    fn let_go(&mut self) {
         let Some(grip) = self.grip.take() else { return };
         let shot = grip.ghost.and_then(|ghost| self.games.now().shot(grip.ball, ghost, self.spin));
         // A ghost brought back onto the ball's centre is no shot.
         if let Some(shot) = shot.filter(|shot| shot.velocity != [0.0, 0.0]) {
-            self.rolling = Rolling::start(shot, Pace::Full, now);
+            self.rolling = Rolling::start(shot, Pace::Full, self.now);
             self.games.touch();
             self.spin = 0;
         }
@@ -224,27 +280,16 @@ impl Player {
         }
     }
 
-    /// Carries out a key; `true` is the end.
-    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<bool> {
-        match key {
-            Key::Esc if self.grip.take().is_some() => {}
-            Key::Esc if self.is_replay() => self.rolling = None,
-            Key::Esc | Key::Char('q' | 'Q') => return self.end(desk).await,
-            Key::Enter => self.come_to_rest(),
-            Key::Left => self.turn_spin(-1),
-            Key::Right => self.turn_spin(1),
-            Key::Char('a' | 'A') => self.line = !self.line,
-            Key::Char('r' | 'R') => self.replay(desk),
-            Key::Char('s' | 'S') => self.change(Game::with_other_surface),
-            Key::Char('p' | 'P') => self.change(Game::with_other_mode),
-            Key::Char('n' | 'N') => self.new_rack(desk).await?,
-            Key::Ctrl('Z') => self.undo(desk),
-            Key::Ctrl('Y') => self.redo(desk),
-            Key::Ctrl('S') => {
-                self.save(desk).await?;
-            }
-            Key::Ctrl('O') => self.load(desk).await?,
-            _ => {}
+    /// Carries out a command; `true` is the end.
+    async fn obey(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<bool> {
+        match action {
+            Action::Back if self.grip.take().is_some() => {}
+            Action::Back if self.is_replay() => self.rolling = None,
+            Action::Back | Action::End => return self.end(desk).await,
+            Action::Do(what) => what(self, desk),
+            Action::NewRack => self.new_rack(desk).await?,
+            Action::Save => return work::save(self, desk).await.map(|_| false),
+            Action::Load => return work::load(self, desk, Stay::UntilRead).await.map(|_| false),
         }
         Ok(false)
     }
@@ -283,21 +328,14 @@ impl Player {
         self.grip = None;
         self.come_to_rest();
         match self.games.now().last.clone() {
-            Some(shot) => self.rolling = Rolling::start(shot, Pace::Slow, desk.machine.now()),
+            Some(shot) => self.rolling = Rolling::start(shot, Pace::Slow, self.now),
             None => desk.tell(texts::NO_SHOT, Stay::Briefly),
         }
     }
 
-    /// Balls must rest before a question is asked: the clock goes on while it stands.
-    fn settle(&mut self, desk: &Desk<'_>) -> View<'_> {
-        self.grip = None;
-        self.come_to_rest();
-        self.view(desk.machine.now())
-    }
-
     async fn new_rack(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        let view = self.settle(desk);
-        if desk.yes(&view, texts::ASK_NEW).await? {
+        self.settle();
+        if desk.yes(&*self, texts::ASK_NEW).await? {
             self.change(Game::racked);
         }
         Ok(())
@@ -305,96 +343,21 @@ impl Player {
 
     /// Asks whether this is the end; a game for points is offered to be saved first.
     async fn end(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
-        let view = self.settle(desk);
-        if !desk.yes(&view, words::ASK_END).await? {
+        self.settle();
+        if !desk.yes(&*self, words::ASK_END).await? {
             return Ok(false);
         }
         if self.unsaved() {
-            self.offer_to_save(desk).await?;
+            work::offer_to_save(self, desk).await?;
         }
         Ok(true)
     }
-
-    /// Whether a game for points would be lost.
-    fn unsaved(&self) -> bool {
-        self.games.now().points.is_some() && self.games.unsaved()
-    }
-
-    /// Asks whether to save until it is answered and done; Esc: nothing shall be left.
-    async fn offer_to_save(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        loop {
-            let view = self.settle(desk);
-            if !desk.yes(&view, texts::ASK_SAVE).await? {
-                return Ok(());
-            }
-            // Esc in the questions for the name leads back to this one.
-            if self.save(desk).await.unless_cancelled()? == Some(true) {
-                return Ok(());
-            }
-        }
-    }
-
-    /// Whether the display may close; the close button pressed again leaves the question standing.
-    async fn may_close(&mut self, desk: &mut Desk<'_>) -> bool {
-        self.come_to_rest();
-        while self.unsaved() {
-            match self.offer_to_save(desk).await {
-                Ok(()) => return true,
-                Err(Stop::Cancelled) => return false,
-                Err(Stop::Closed) => {}
-            }
-        }
-        true
-    }
-
-    /// Asks for a name and saves; whether it was done.
-    async fn save(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
-        let view = self.settle(desk);
-        let name = desk.file_name(&view, EXTENSION, Way::Save).await?;
-        if !desk.may_write(&view, &[&name]).await? {
-            return Ok(false);
-        }
-        match store(self.games.now(), desk, &name) {
-            Ok(()) => {
-                desk.machine.set_file(Some(name));
-                self.games.mark_saved();
-                desk.tell(texts::SAVED, Stay::Briefly);
-                Ok(true)
-            }
-            Err(problem) => {
-                desk.tell(problem, Stay::UntilRead);
-                Ok(false)
-            }
-        }
-    }
-
-    /// Asks for a name and takes the game up; undo leads back to the one before.
-    async fn load(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        let view = self.settle(desk);
-        let name = desk.file_name(&view, EXTENSION, Way::Load).await?;
-        match read(desk, &name) {
-            Ok(game) => {
-                desk.machine.set_file(Some(name));
-                self.games.change(game);
-                self.games.mark_saved();
-            }
-            Err(problem) => desk.tell(problem, Stay::UntilRead),
-        }
-        Ok(())
-    }
 }
 
-fn store(game: &Game, desk: &mut Desk<'_>, name: &str) -> Result<(), Phrase> {
-    let mut content =
-        serde_json::to_vec_pretty(game).map_err(|error| texts::no_game(name, &error.to_string()))?;
-    content.push(b'\n');
-    desk.machine.storage().write(name, &content).map_err(|error| Phrase::plain(&error))
-}
-
-fn read(desk: &mut Desk<'_>, name: &str) -> Result<Game, Phrase> {
-    let content = desk.machine.storage().read(name).map_err(|error| match error.problem {
-        StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
-        _ => Phrase::plain(&error),
-    })?;
-    Game::read(&content).map_err(|why| texts::no_game(name, &why))
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(super::COMMANDS.shared_keys(), []);
+    }
 }

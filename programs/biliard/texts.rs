@@ -2,25 +2,23 @@
 
 use super::game::{GOAL, Points};
 use crate::machine::Language;
-use crate::ui::{KeyHelp, Phrase, Words};
+use crate::ui::{KeyHelp, Phrase, Words, line};
 
-pub(crate) const KEYS: &[KeyHelp] = &[
-    (Words("egér", "mouse"), Words("lökés: a golyó képének húzása", "shot: drag a ball's ghost away")),
-    (
-        Words("Esc", "Esc"),
-        Words("húzás közben: mégsem; különben vége", "while dragging: no shot; else the end"),
-    ),
-    (Words("Enter", "Enter"), Words("a mozgás végére ugrik", "on to where the balls come to rest")),
-    (Words("A", "A"), Words("célzóvonal be, ki", "aiming line on, off")),
-    (Words("R", "R"), Words("az utolsó lökés lassítva", "the last shot in slow motion")),
-    (Words("S", "S"), Words("érdes golyók: fals be, ki", "rough balls: spin on, off")),
-    (Words("← →  görgő", "← →  wheel"), Words("fals a lökésben", "spin of the shot")),
-    (Words("P", "P"), Words("két játékos pontra, vissza", "two players with points, back")),
-    (Words("N", "N"), Words("új felállítás", "a new rack")),
-    (Words("Ctrl+S Ctrl+O", "Ctrl+S Ctrl+O"), Words("mentés, betöltés (.JSON)", "save, load (.JSON)")),
-    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), Words("a lökés visszavonása, mégis", "undo, redo the shot")),
-    (Words("Q", "Q"), Words("vége", "end")),
-];
+pub(crate) const SHOOT: KeyHelp =
+    (Words("egér", "mouse"), Words("lökés: a golyó képének húzása", "shot: drag a ball's ghost away"));
+pub(crate) const BACK: KeyHelp =
+    line("Esc", "húzás közben: mégsem; különben vége", "while dragging: no shot; else the end");
+pub(crate) const SKIP: KeyHelp = line("Enter", "a mozgás végére ugrik", "on to where the balls come to rest");
+pub(crate) const LINE: KeyHelp = line("A", "célzóvonal be, ki", "aiming line on, off");
+pub(crate) const SLOWLY: KeyHelp = line("R", "az utolsó lökés lassítva", "the last shot in slow motion");
+pub(crate) const ROUGH: KeyHelp = line("S", "érdes golyók: fals be, ki", "rough balls: spin on, off");
+pub(crate) const SPIN: KeyHelp =
+    (Words("← →  görgő", "← →  wheel"), Words("fals a lökésben", "spin of the shot"));
+pub(crate) const POINTS: KeyHelp = line("P", "két játékos pontra, vissza", "two players with points, back");
+pub(crate) const RACK: KeyHelp = line("N", "új felállítás", "a new rack");
+pub(crate) const FILES: KeyHelp = line("Ctrl+S Ctrl+O", "mentés, betöltés (.JSON)", "save, load (.JSON)");
+pub(crate) const UNDO: KeyHelp = line("Ctrl+Z Ctrl+Y", "a lökés visszavonása, mégis", "undo, redo the shot");
+pub(crate) const END: KeyHelp = line("Q", "vége", "end");
 
 pub(crate) const ASK_NEW: Words = Words("      Új felállítás ?", "         New rack ?");
 pub(crate) const ASK_SAVE: Words = Words("     Menteni a játékot ?", "      Save the game ?");

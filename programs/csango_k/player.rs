@@ -6,12 +6,13 @@ use super::panel::{self, FIELD};
 use super::picture::{Scene, draw_axes};
 use super::task::{PACE, Plan, Quest, Task, Wanted};
 use super::texts;
+use crate::editor::keys;
 use crate::file::{CsangoCube, Document, Format};
 use crate::machine::{Asked, Asking, Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Tick};
-use crate::puzzle::cube::{Action, Move, PIECES, Rules};
+use crate::puzzle::cube::{self, Move, PIECES, Rules};
 use crate::screen::{Color, Screen};
-use crate::ui::{Desk, Manual, Phrase, Picture, Stay, Stopwatch};
-use crate::work::{self, Configuration, History, Next};
+use crate::ui::{Command, Commands, Desk, KeyHelp, Manual, Phrase, Picture, Stay, Stopwatch};
+use crate::work::{self, History, Next, Work};
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
@@ -19,6 +20,40 @@ use std::time::Duration;
 const DIGITS: Duration = Duration::from_millis(1000);
 /// Random tries to move a piece in a scramble.
 const TRIES: u32 = 2000;
+
+/// What a command does.
+#[derive(Clone, Copy)]
+enum Action {
+    Do(fn(&mut Player, &mut Desk<'_>)),
+    Quit,
+}
+
+/// The commands; moves have the other letters.
+const COMMANDS: Commands<Action> = Commands(&[
+    Command::told(texts::MOVE),
+    Command::told(texts::TURN),
+    Command::key(Key::Char('A'), texts::OTHER, Action::Do(|player, _| player.select(player.selected + 1))),
+    Command::also(Key::Char('B'), Action::Do(|player, _| player.select(player.selected + PIECES - 1))),
+    Command::told(texts::DRAG),
+    Command::told(texts::LIFT),
+    Command::key(Key::Left, texts::LOOK, Action::Do(|player, _| player.eye = player.eye.turned(1))),
+    Command::also(Key::Right, Action::Do(|player, _| player.eye = player.eye.turned(-1))),
+    Command::also(Key::Up, Action::Do(|player, _| player.eye = player.eye.lower())),
+    Command::also(Key::Down, Action::Do(|player, _| player.eye = player.eye.higher())),
+    Command::also(Key::Home, Action::Do(|player, _| player.eye = Eye::HOME)),
+    Command::key(Key::F(3), texts::RIGID, Action::Do(Player::switch_rules)),
+    Command::key(Key::F(4), texts::HINT, Action::Do(|player, desk| player.seek(desk, Wanted::Hint))),
+    Command::key(Key::F(5), texts::SOLVE, Action::Do(|player, desk| player.seek(desk, Wanted::Solution))),
+    Command::key(Key::F(6), texts::RESTART, Action::Do(|player, _| player.begin(player.first))),
+    Command::key(Key::F(7), texts::SCRAMBLE, Action::Do(|player, _| player.scramble())),
+    Command::told(keys::UNDO),
+    Command::told(keys::SAVE),
+    Command::key(Key::Char('Q'), keys::QUIT, Action::Quit),
+    Command::also(Key::Esc, Action::Do(|player, _| player.hinted = false)),
+]);
+
+/// The help page.
+pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
 /// What undo takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +65,7 @@ pub(crate) struct Play {
 /// A game as it is kept while it is unsaved.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Work {
+struct Kept {
     first: CsangoCube,
     cube: CsangoCube,
     moves: u32,
@@ -144,31 +179,6 @@ impl Player {
         }
     }
 
-    /// Waits for what happens next, with the picture up to date.
-    async fn tick(&mut self, desk: &mut Desk<'_>) -> Asked<Tick> {
-        self.now = desk.clock();
-        work::keep(self, desk);
-        desk.machine.publish(self.model());
-        let second = self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0);
-        let tick = match (&self.task, second) {
-            (Task::Idle, None) => desk.event(&*self).await?,
-            (Task::Idle, Some(second)) => {
-                let next = desk.machine.now() + second.saturating_sub(self.now);
-                desk.event_before(&*self, next).await?
-            }
-            (Task::Seeking(_), _) => {
-                let next = desk.machine.now() + Duration::from_secs(1) / FRAMES_PER_SECOND;
-                desk.event_before(&*self, next).await?
-            }
-            (Task::Playing(_, due), _) => {
-                let next = desk.machine.now() + due.saturating_sub(self.now);
-                desk.event_before(&*self, next).await?
-            }
-        };
-        self.now = desk.clock();
-        Ok(tick)
-    }
-
     /// Goes on with what the program does by itself.
     fn go_on(&mut self, desk: &mut Desk<'_>) {
         match std::mem::replace(&mut self.task, Task::Idle) {
@@ -234,6 +244,12 @@ impl Player {
         self.plays.change(Play { cube, moves: 0 });
         self.clock = Stopwatch::default();
         (self.hinted, self.plan, self.task) = (false, None, Task::Idle);
+    }
+
+    /// Another scramble every time, the same ones in every session of a seed.
+    fn scramble(&mut self) {
+        self.seed = self.seed.wrapping_add(1);
+        self.begin(self.plays.now().cube.scrambled(self.seed, TRIES, self.rules));
     }
 
     fn seek(&mut self, desk: &mut Desk<'_>, wanted: Wanted) {
@@ -306,37 +322,20 @@ impl Player {
 
     /// What a key or its button does; what leads out of the configuration is told.
     async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Next> {
-        let action = key.letter().and_then(Action::from_letter);
-        if let Some(action) = action {
+        if let Some(action) = key.letter().and_then(cube::Action::from_letter) {
             if self.make(Move { piece: self.selected, action }) {
                 self.look_whether_finished(desk);
             }
             return Ok(Next::Work);
         }
-        match key {
-            Key::Up => self.eye = self.eye.lower(),
-            Key::Down => self.eye = self.eye.higher(),
-            Key::Left => self.eye = self.eye.turned(1),
-            Key::Right => self.eye = self.eye.turned(-1),
-            Key::Home => self.eye = Eye::HOME,
-            Key::F(3) => self.switch_rules(desk),
-            Key::F(4) => self.seek(desk, Wanted::Hint),
-            Key::F(5) => self.seek(desk, Wanted::Solution),
-            Key::F(6) => self.begin(self.first),
-            Key::F(7) => {
-                // Another scramble every time, the same ones in every session of a seed.
-                self.seed = self.seed.wrapping_add(1);
-                self.begin(self.plays.now().cube.scrambled(self.seed, TRIES, self.rules));
+        match COMMANDS.of_key(key) {
+            Some(Action::Do(what)) => what(self, desk),
+            Some(Action::Quit) => return work::quit(self, desk).await,
+            None => {
+                if let Some(digit) = key.letter().and_then(|typed| typed.to_digit(10)) {
+                    self.digit(digit as usize);
+                }
             }
-            Key::Esc => self.hinted = false,
-            Key::Char(typed) => match (typed.to_ascii_uppercase(), typed.to_digit(10)) {
-                ('A', _) => self.select(self.selected + 1),
-                ('B', _) => self.select(self.selected + PIECES - 1),
-                ('Q', _) => return work::quit(self, desk).await,
-                (_, Some(digit)) => self.digit(digit as usize),
-                _ => {}
-            },
-            _ => {}
         }
         Ok(Next::Work)
     }
@@ -356,11 +355,12 @@ impl Player {
         matches!(tick.event, Some(Event::Key(_) | Event::Press(_) | Event::Wheel(_)))
     }
 }
-impl Configuration for Player {
+
+impl Work for Player {
     type Value = Play;
 
-    fn format(&self) -> Format {
-        Format::Csk
+    fn format(&self) -> Option<Format> {
+        Some(Format::Csk)
     }
 
     fn history(&mut self) -> &mut History<Play> {
@@ -378,18 +378,18 @@ impl Configuration for Player {
         Ok(())
     }
 
-    fn document(&self) -> Document {
-        Document::CsangoCube(self.plays.now().cube)
+    fn document(&self) -> Result<Document, Phrase> {
+        Ok(Document::CsangoCube(self.plays.now().cube))
     }
 
     fn unsaved_work(&self) -> Result<String, Phrase> {
         let Play { cube, moves } = *self.plays.now();
-        let work = Work { first: self.first, cube, moves };
-        serde_json::to_string(&work).map_err(|error| Phrase::plain(&error))
+        let kept = Kept { first: self.first, cube, moves };
+        serde_json::to_string(&kept).map_err(|error| Phrase::plain(&error))
     }
 
     fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
-        let Work { first, cube, moves } =
+        let Kept { first, cube, moves } =
             serde_json::from_str(work).map_err(|error| Phrase::plain(&error))?;
         for cube in [first, cube] {
             Document::CsangoCube(cube).check().map_err(|error| Phrase::plain(&error))?;
@@ -419,11 +419,24 @@ impl Configuration for Player {
         }
     }
 
+    fn look(&mut self, desk: &Desk<'_>) {
+        self.now = desk.clock();
+    }
+
+    fn due(&self) -> Option<Duration> {
+        let next = match &self.task {
+            Task::Seeking(_) => return Some(Duration::from_secs(1) / FRAMES_PER_SECOND),
+            Task::Playing(_, due) => *due,
+            Task::Idle => self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0)?,
+        };
+        Some(next.saturating_sub(self.now))
+    }
+
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         // The close button may have been pressed in the middle of something.
         (self.hand, self.task) = (None, Task::Idle);
         loop {
-            let tick = self.tick(desk).await?;
+            let tick = work::event(self, desk).await?;
             if !matches!(self.task, Task::Idle) {
                 if Player::stops(&tick) {
                     self.task = Task::Idle;
@@ -456,5 +469,13 @@ impl Configuration for Player {
                 self.mouse(desk, &tick);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(super::COMMANDS.shared_keys(), []);
     }
 }

@@ -1,39 +1,30 @@
 //! What the program of the cube says, in Hungarian and English.
 
-use crate::editor::keys;
 use crate::machine::Language;
 use crate::puzzle::cube::{Move, Rules};
-use crate::ui::{KeyHelp, Phrase, Stopwatch, Words};
+use crate::ui::{KeyHelp, Phrase, Stopwatch, Words, line};
 use std::time::Duration;
 
-pub(crate) const KEYS: &[KeyHelp] = &[
-    (
-        Words("X Y Z, U V W", "X Y Z, U V W"),
-        Words("eltolás a tengely mentén, vissza", "move along the axis, back"),
-    ),
-    (
-        Words("R S T, E F G", "R S T, E F G"),
-        Words("forgatás a tengely körül, vissza", "turn about the axis, back"),
-    ),
-    (
-        Words("A  B  szám", "A  B  number"),
-        Words("másik elem; a száma 1...14", "another piece; its number 1...14"),
-    ),
-    (Words("egér", "mouse"), Words("elem választása, húzása", "choose a piece, drag it")),
-    (Words("görgő", "wheel"), Words("az elem emelése, süllyesztése", "lift the piece, lower it")),
-    (Words("← → ↑ ↓", "← → ↑ ↓"), Words("nézőpont", "point of view")),
-    (
-        Words("F3", "F3"),
-        Words("merev forgatás: semmin sem megy át", "rigid turns: through nothing, on or off"),
-    ),
-    (Words("F4", "F4"), Words("tipp: a következő lépés", "hint: the next move")),
-    (Words("F5", "F5"), Words("megoldás lejátszása; Esc megállítja", "play a solution; Esc stops it")),
-    (Words("F6", "F6"), Words("újra az elejéről", "start again")),
-    (Words("F7", "F7"), Words("összekeverés", "scramble")),
-    keys::UNDO,
-    keys::SAVE,
-    keys::QUIT,
-];
+pub(crate) const MOVE: KeyHelp =
+    line("X Y Z, U V W", "eltolás a tengely mentén, vissza", "move along the axis, back");
+pub(crate) const TURN: KeyHelp =
+    line("R S T, E F G", "forgatás a tengely körül, vissza", "turn about the axis, back");
+pub(crate) const OTHER: KeyHelp = (
+    Words("A  B  szám", "A  B  number"),
+    Words("másik elem; a száma 1...14", "another piece; its number 1...14"),
+);
+pub(crate) const DRAG: KeyHelp =
+    (Words("egér", "mouse"), Words("elem választása, húzása", "choose a piece, drag it"));
+pub(crate) const LIFT: KeyHelp =
+    (Words("görgő", "wheel"), Words("az elem emelése, süllyesztése", "lift the piece, lower it"));
+pub(crate) const LOOK: KeyHelp = line("← → ↑ ↓", "nézőpont", "point of view");
+pub(crate) const RIGID: KeyHelp =
+    line("F3", "merev forgatás: semmin sem megy át", "rigid turns: through nothing, on or off");
+pub(crate) const HINT: KeyHelp = line("F4", "tipp: a következő lépés", "hint: the next move");
+pub(crate) const SOLVE: KeyHelp =
+    line("F5", "megoldás lejátszása; Esc megállítja", "play a solution; Esc stops it");
+pub(crate) const RESTART: KeyHelp = line("F6", "újra az elejéről", "start again");
+pub(crate) const SCRAMBLE: KeyHelp = line("F7", "összekeverés", "scramble");
 
 pub(crate) const LOGO: Words = Words("Emőke játéka", "Emőke's game");
 pub(crate) const LEAVE: Words = Words("kilép", " quit");

@@ -1,16 +1,13 @@
 //! The board on the screen: arms with their drawers, rings, beads, and the wheel of the controls.
 
 use super::game::Game;
+use super::player::COMMANDS;
 use super::texts;
 use crate::machine::Language;
 use crate::puzzle::wheel::{ARMS, Move, Progress, RINGS, Wheel};
 use crate::screen::{Color, Direction, Screen, Stroke};
-use crate::ui::{Area, Button, MIDDLE, page, sunken};
+use crate::ui::{Area, MIDDLE, page, sunken};
 use std::time::Duration;
-
-/// The buttons of the original.
-pub(crate) const BUTTONS: [Button; 2] =
-    [Button::new(400, 21, texts::DEMONSTRATION), Button::new(400, 38, texts::QUIT)];
 
 /// Centre of the wheel.
 const CENTRE: (i32, i32) = (240, 260);
@@ -59,7 +56,7 @@ impl View<'_> {
     pub(crate) fn draw(&self, screen: &mut Screen, language: Language) {
         draw_desk(screen);
         if self.buttons {
-            BUTTONS.iter().for_each(|button| button.draw(screen, language));
+            COMMANDS.draw(screen, language);
         }
         if let Some(board) = &self.board {
             draw_rings(screen);

@@ -1,23 +1,53 @@
 //! What the player does: moves, questions, and what goes on by itself.
 
 use super::game::{Game, Problem};
-use super::picture::{BUTTONS, Board, GoingOn, View, move_at};
+use super::picture::{Board, GoingOn, View, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
+use crate::editor::keys;
 use crate::file::{BeadWheel, Document, Format};
 use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Tick};
 use crate::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
 use crate::screen::Screen;
 use crate::ui::{
-    Answer, Area, Caption, Choices, Desk, Field, Form, MIDDLE, Manual, Number, Phrase, Picture, Question,
-    Stay, Stopwatch,
+    Answer, Area, Button, Caption, Choices, Command, Commands, Desk, Field, Form, KeyHelp, MIDDLE, Manual,
+    Number, Phrase, Picture, Question, Stay, Stopwatch,
 };
-use crate::work::{self, Configuration, History, Next};
+use crate::work::{self, History, Next, Work};
 use serde::Serialize;
 use std::time::Duration;
 
 /// The largest number of a problem.
 const MOST: i32 = 999_999;
+
+/// What a command does.
+#[derive(Clone, Copy)]
+pub(super) enum Action {
+    Restart,
+    NewProblem,
+    Seek(Aim),
+    Demonstrate,
+    Quit,
+}
+
+/// The commands, with the buttons of the original; moves have the other letters.
+pub(super) const COMMANDS: Commands<Action> = Commands(&[
+    Command::told(texts::PUSH),
+    Command::told(texts::TURN),
+    Command::told(texts::CLICK),
+    Command::told(texts::UNDO),
+    Command::key(Key::Char('R'), texts::RESTART, Action::Restart),
+    Command::key(Key::Char('U'), texts::NEW_PROBLEM, Action::NewProblem),
+    Command::key(Key::Char('H'), texts::HINT, Action::Seek(Aim::Hint)),
+    Command::key(Key::Char('S'), texts::SOLVE, Action::Seek(Aim::Solve)),
+    Command::button(Button::new(400, 21, texts::DEMONSTRATION), texts::DEMONSTRATE, Action::Demonstrate),
+    Command::told(texts::SAVE),
+    Command::button(Button::new(400, 38, texts::QUIT), keys::QUIT, Action::Quit),
+    Command::told(texts::STOP),
+]);
+
+/// The help page.
+pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
 /// The program's state: the game with its past is what undo restores, all else is view.
 struct Player {
@@ -91,11 +121,11 @@ impl Picture for Player {
     }
 }
 
-impl Configuration for Player {
+impl Work for Player {
     type Value = Game;
 
-    fn format(&self) -> Format {
-        Format::Gyk
+    fn format(&self) -> Option<Format> {
+        Some(Format::Gyk)
     }
 
     fn history(&mut self) -> &mut History<Game> {
@@ -113,8 +143,8 @@ impl Configuration for Player {
         Ok(())
     }
 
-    fn document(&self) -> Document {
-        Document::BeadWheel(BeadWheel::from(&self.games.now().wheel))
+    fn document(&self) -> Result<Document, Phrase> {
+        Ok(Document::BeadWheel(BeadWheel::from(&self.games.now().wheel)))
     }
 
     fn unsaved_work(&self) -> Result<String, Phrase> {
@@ -156,6 +186,21 @@ impl Configuration for Player {
         Ok(learn)
     }
 
+    fn look(&mut self, desk: &Desk<'_>) {
+        self.now = desk.clock();
+    }
+
+    fn due(&self) -> Option<Duration> {
+        let going_on = match &self.show {
+            Show::Seeking(seeking) => Some(seeking.due),
+            Show::Playing(playing) => Some(playing.due),
+            Show::Demonstration(demonstration) => Some(demonstration.due),
+            Show::Nothing => None,
+        };
+        let next = going_on.into_iter().chain(self.clock.next_second(self.now)).min()?;
+        Some(next.saturating_sub(self.now))
+    }
+
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         if !self.begun {
             let problem = Problem { difficulty: Difficulty::Book, number: self.next_number() };
@@ -163,7 +208,7 @@ impl Configuration for Player {
         }
         self.buttons = true;
         loop {
-            let tick = self.wait(desk).await?;
+            let tick = work::event(self, desk).await?;
             if let Some(next) = self.react(desk, &tick).await.unless_cancelled()?.flatten() {
                 return Ok(next);
             }
@@ -202,31 +247,8 @@ impl Player {
         }
     }
 
-    /// Shows the picture and waits for an event or for what is due.
-    async fn wait(&mut self, desk: &mut Desk<'_>) -> Asked<Tick> {
-        self.now = desk.clock();
-        work::keep(self, desk);
-        desk.machine.publish(self.model());
-        let due = match &self.show {
-            Show::Seeking(seeking) => Some(seeking.due),
-            Show::Playing(playing) => Some(playing.due),
-            Show::Demonstration(demonstration) => Some(demonstration.due),
-            Show::Nothing => None,
-        };
-        let next = due.into_iter().chain(self.clock.next_second(self.now)).min();
-        match next {
-            // What is due by this clock is due by the machine's so much later.
-            Some(due) => {
-                let moment = desk.machine.now() + due.saturating_sub(self.now);
-                desk.event_before(&*self, moment).await
-            }
-            None => desk.event(&*self).await,
-        }
-    }
-
     /// Does what an event or the time asks for; `Some` leads out of the game.
     async fn react(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<Option<Next>> {
-        self.now = desk.clock();
         let pressed = matches!(tick.event, Some(Event::Key(_) | Event::Press(_)));
         if pressed && !matches!(self.show, Show::Nothing) {
             let was_demonstration = matches!(self.show, Show::Demonstration(_));
@@ -239,19 +261,23 @@ impl Player {
         if tick.event.is_none() {
             self.go_on(desk);
         }
-        if let Some((x, y)) = tick.click() {
-            let button = BUTTONS.iter().find(|button| button.hit(x, y));
-            if let Some(button) = button {
-                return self.key(desk, Key::Char(button.text.letter)).await;
-            }
-            if let Some(a_move) = move_at(&self.games.now().wheel, x, y) {
-                self.make(a_move);
+        let clicked = tick.click().and_then(|(x, y)| move_at(&self.games.now().wheel, x, y));
+        if let Some(action) = COMMANDS.find(tick) {
+            return self.obey(desk, action).await;
+        }
+        if let Some(a_move) = tick.letter().and_then(Move::from_letter).or(clicked) {
+            self.make(a_move);
+        }
+        if let Some(key @ (Key::Esc | Key::Ctrl('Z' | 'Y' | 'S'))) = tick.key() {
+            self.stop();
+            let before = self.games.now().wheel;
+            work::common_key(self, desk, Some(key)).await?;
+            let wheel = self.games.now().wheel;
+            if wheel != before {
+                self.clock.note(wheel.is_solved(), desk.clock());
             }
         }
-        match tick.key() {
-            Some(key) => self.key(desk, key).await,
-            None => Ok(None),
-        }
+        Ok(None)
     }
 
     /// Goes on with what goes on by itself.
@@ -311,37 +337,22 @@ impl Player {
         self.clock = Stopwatch::default();
     }
 
-    /// Carries out a key; `Some` leads out of the game.
-    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Option<Next>> {
-        if let Some(a_move) = key.letter().and_then(Move::from_letter) {
-            self.make(a_move);
-            return Ok(None);
-        }
-        match key {
-            Key::Char('q' | 'Q') => {
+    /// Carries out a command; `Some` leads out of the game.
+    async fn obey(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Option<Next>> {
+        match action {
+            Action::Quit => {
                 self.stop();
                 let next = work::quit(self, desk).await?;
                 return Ok(Some(next).filter(|&next| next != Next::Work));
             }
-            Key::Char('x' | 'X') => {
+            Action::Demonstrate => {
                 self.stop();
                 let number = self.next_number();
                 self.show = Show::Demonstration(Demonstration::new(number, self.now));
             }
-            Key::Char('r' | 'R') => self.replace(self.games.now().restarted()),
-            Key::Char('u' | 'U') => self.new_problem(desk).await?,
-            Key::Char('h' | 'H') => self.seek(desk, Aim::Hint),
-            Key::Char('s' | 'S') => self.seek(desk, Aim::Solve),
-            Key::Esc | Key::Ctrl('Z' | 'Y' | 'S') => {
-                self.stop();
-                let before = self.games.now().wheel;
-                work::common_key(self, desk, Some(key)).await?;
-                let wheel = self.games.now().wheel;
-                if wheel != before {
-                    self.clock.note(wheel.is_solved(), desk.clock());
-                }
-            }
-            _ => {}
+            Action::Restart => self.replace(self.games.now().restarted()),
+            Action::NewProblem => self.new_problem(desk).await?,
+            Action::Seek(aim) => self.seek(desk, aim),
         }
         Ok(None)
     }
@@ -388,5 +399,13 @@ fn difficulties() -> Choices<Difficulty> {
         place: MIDDLE,
         captions: vec![Caption::new((x + 7, y + 8), texts::ASK_DIFFICULTY)],
         answers: windows.zip(texts::DIFFICULTIES).map(|(area, (text, it))| (area, text, it)).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(super::COMMANDS.shared_keys(), []);
     }
 }

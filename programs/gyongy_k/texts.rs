@@ -1,41 +1,34 @@
 //! What the bead wheel says, in Hungarian and English.
 
 use super::game::Problem;
-use crate::editor::keys;
 use crate::machine::Language;
 use crate::puzzle::wheel::{Difficulty, Move, Progress};
-use crate::ui::{Hot, KeyHelp, Stopwatch, Words};
+use crate::ui::{Hot, KeyHelp, Stopwatch, Words, line};
 use std::time::Duration;
 
-pub(crate) const KEYS: &[KeyHelp] = &[
-    (
-        Words("A B C D E F", "A B C D E F"),
-        Words("fiók betolása egy gyönggyel", "push a drawer in by one bead"),
+pub(crate) const PUSH: KeyHelp =
+    line("A B C D E F", "fiók betolása egy gyönggyel", "push a drawer in by one bead");
+pub(crate) const TURN: KeyHelp =
+    line("I K M  J L N", "gyűrű forgatása balra, jobbra", "turn a ring to the left, right");
+pub(crate) const CLICK: KeyHelp = (
+    Words("egér", "mouse"),
+    Words("kattintás a fiókra, a kerék betűire", "click a drawer or a letter of the wheel"),
+);
+pub(crate) const UNDO: KeyHelp = line("Ctrl+Z Ctrl+Y", "lépés visszavonása, mégis", "undo, redo a move");
+pub(crate) const RESTART: KeyHelp = line("R", "a feladat elölről", "the problem from its start");
+pub(crate) const NEW_PROBLEM: KeyHelp =
+    line("U", "új feladat: nehézség, sorszám", "a new problem: difficulty, number");
+pub(crate) const HINT: KeyHelp = line("H", "segítség: a következő lépés", "hint: the next move");
+pub(crate) const SOLVE: KeyHelp = line("S", "megoldás keresése és lejátszása", "search and play a solution");
+pub(crate) const DEMONSTRATE: KeyHelp = line("X", "bemutató", "demonstration");
+pub(crate) const SAVE: KeyHelp = line("Ctrl+S", "mentés (.GYK)", "save (.GYK)");
+pub(crate) const STOP: KeyHelp = (
+    Words("Esc", "Esc"),
+    Words(
+        "keresés, lejátszás, bemutató vége; kérdésben mégsem",
+        "stop a search or a show; cancel a question",
     ),
-    (
-        Words("I K M  J L N", "I K M  J L N"),
-        Words("gyűrű forgatása balra, jobbra", "turn a ring to the left, right"),
-    ),
-    (
-        Words("egér", "mouse"),
-        Words("kattintás a fiókra, a kerék betűire", "click a drawer or a letter of the wheel"),
-    ),
-    (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), Words("lépés visszavonása, mégis", "undo, redo a move")),
-    (Words("R", "R"), Words("a feladat elölről", "the problem from its start")),
-    (Words("U", "U"), Words("új feladat: nehézség, sorszám", "a new problem: difficulty, number")),
-    (Words("H", "H"), Words("segítség: a következő lépés", "hint: the next move")),
-    (Words("S", "S"), Words("megoldás keresése és lejátszása", "search and play a solution")),
-    (Words("X", "X"), Words("bemutató", "demonstration")),
-    (Words("Ctrl+S", "Ctrl+S"), Words("mentés (.GYK)", "save (.GYK)")),
-    keys::QUIT,
-    (
-        Words("Esc", "Esc"),
-        Words(
-            "keresés, lejátszás, bemutató vége; kérdésben mégsem",
-            "stop a search or a show; cancel a question",
-        ),
-    ),
-];
+);
 
 pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "      Configuration ?");
 pub(crate) const PLAY: Hot = Hot::new('J', "áték", "-game");

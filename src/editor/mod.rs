@@ -22,7 +22,7 @@ use crate::geometry::Point;
 use crate::machine::{Asked, Asking, Button, Event, Key, Tick};
 use crate::ui::words::Phrase;
 use crate::ui::{Commands, Desk, Manual, Start, Stay};
-use crate::work::{self, Configuration, History, Next, common_key, event};
+use crate::work::{self, History, Next, Work, common_key, event};
 use lens::{Held, Lens};
 use seen::Item;
 use serde::Serialize;
@@ -147,11 +147,11 @@ fn start<C: Craft<D>, const D: usize>(
     }))
 }
 
-impl<C: Craft<D>, const D: usize> Configuration for Editor<C, D> {
+impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
     type Value = C::Value;
 
-    fn format(&self) -> Format {
-        self.craft.format()
+    fn format(&self) -> Option<Format> {
+        Some(self.craft.format())
     }
 
     fn history(&mut self) -> &mut History<C::Value> {
@@ -170,16 +170,16 @@ impl<C: Craft<D>, const D: usize> Configuration for Editor<C, D> {
         Ok(())
     }
 
-    fn document(&self) -> Document {
-        self.craft.document(self.history.now())
+    fn document(&self) -> Result<Document, Phrase> {
+        Ok(self.craft.document(self.history.now()))
     }
 
     fn implied(&self) -> Option<Method> {
         self.craft.implied()
     }
 
-    fn fits_format(&self) -> bool {
-        self.craft.fits_format(self.history.now())
+    fn saved_as(&self) -> Option<Format> {
+        self.format().filter(|_| self.craft.fits_format(self.history.now()))
     }
 
     fn model(&self) -> impl Serialize + 'static {

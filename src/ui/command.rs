@@ -29,6 +29,11 @@ impl<A: Copy> Command<A> {
         Command { key: Some(key), button: None, help: Some(help), action: Some(action) }
     }
 
+    /// Another key, told in the line of a neighbour.
+    pub const fn also(key: Key, action: A) -> Command<A> {
+        Command { key: Some(key), button: None, help: None, action: Some(action) }
+    }
+
     /// A line of help about something that is no command of this table.
     pub const fn told(help: KeyHelp) -> Command<A> {
         Command { key: None, button: None, help: Some(help), action: None }
@@ -58,14 +63,15 @@ pub struct Commands<A: 'static>(pub &'static [Command<A>]);
 impl<A: Copy> Commands<A> {
     /// What a key or a click on a button does; letters work in either case.
     pub fn find(&self, tick: &Tick) -> Option<A> {
-        let given = |command: &&Command<A>| match tick.click() {
-            Some((x, y)) => command.button.is_some_and(|button| button.hit(x, y)),
-            None => {
-                let typed = tick.letter().map(Key::Char).or(tick.key());
-                typed.is_some_and(|typed| command.keys().any(|key| key == typed))
-            }
-        };
-        self.0.iter().find(given).and_then(|command| command.action)
+        let Some((x, y)) = tick.click() else { return self.of_key(tick.key()?) };
+        let hit = |command: &&Command<A>| command.button.is_some_and(|button| button.hit(x, y));
+        self.0.iter().find(hit)?.action
+    }
+
+    /// What a key does.
+    pub fn of_key(&self, key: Key) -> Option<A> {
+        let typed = key.letter().map_or(key, Key::Char);
+        self.0.iter().find(|command| command.keys().any(|key| key == typed))?.action
     }
 
     /// Draws the buttons.

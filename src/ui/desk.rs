@@ -54,6 +54,11 @@ impl<F: Fn(&mut Screen, Language)> Picture for Over<'_, F> {
 /// One line of the help page: keys and what they do.
 pub type KeyHelp = (Words, Words);
 
+/// A line of the help page whose keys are called the same in both languages.
+pub const fn line(keys: &'static str, hungarian: &'static str, english: &'static str) -> KeyHelp {
+    (Words(keys, keys), Words(hungarian, english))
+}
+
 /// What a program says about itself to its user.
 #[derive(Clone, Copy, Debug)]
 pub struct Manual {
@@ -168,6 +173,11 @@ impl<'m> Desk<'m> {
     /// Shows a message for a while, or until the next key or click, which keeps its usual effect.
     pub fn tell(&mut self, text: impl Into<Phrase>, stay: Stay) {
         self.notice = Some(self.notice_of(text.into(), stay));
+    }
+
+    /// Whether something could be done; else says why not.
+    pub(crate) fn done(&mut self, result: Result<(), Phrase>, stay: Stay) -> bool {
+        result.map_err(|problem| self.tell(problem, stay)).is_ok()
     }
 
     /// Like [`Desk::tell`], with a message that a film does not show.

@@ -20,15 +20,20 @@ pub(super) fn json_name(name: &str) -> String {
     twin(name, "JSON")
 }
 
-/// Reads a document of a format; a missing file is reported in the original's words.
+/// Reads a file; a missing one is reported in the original's words.
+pub(crate) fn read_content(storage: &dyn Storage, name: &str) -> Result<Vec<u8>, Phrase> {
+    storage.read(name).map_err(|error| match error.problem {
+        StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
+        _ => words::storage_problem(&error),
+    })
+}
+
+/// Reads a document of a format.
 ///
 /// # Errors
 /// What is wrong with the file.
 pub fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Result<Document, Phrase> {
-    let content = storage.read(name).map_err(|error| match error.problem {
-        StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
-        _ => words::storage_problem(&error),
-    })?;
+    let content = read_content(storage, name)?;
     Document::read(format, &content).map_err(|error| words::in_file(name, &error))
 }
 

@@ -1,14 +1,19 @@
-//! The life of a configuration, the same in every program that edits one: new or stored, edited, saved, left. Nothing
-//! is lost without a question.
+//! The life of what a program works on, a configuration or a game: new or stored, worked on, saved, left.
+//! Nothing is lost without having been asked.
 
+use super::History;
 use super::files::{Files, dos_files, has_json, json_name, read_document, with_json, with_twin};
-use super::{History, rescue};
+use super::rescue::{self, keep};
 use crate::design;
 use crate::file::{Document, FileKind, Format, Method};
-use crate::machine::{Asked, Asking, Key, Manner, Stop, Storage};
-use crate::ui::words::{self, Phrase};
+use crate::machine::{Asked, Asking, Key, Manner, Stop, Storage, Tick};
+use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
 use serde::Serialize;
+use std::time::Duration;
+
+/// The extension of what is not stored in a DOS format.
+const JSON: &str = "JSON";
 
 /// What a program does after a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,26 +26,39 @@ pub enum Next {
     End,
 }
 
-/// A program's state with a configuration that is edited and kept in files.
-pub trait Configuration: Picture {
+/// A program's state with work that is undone, saved and rescued. It is a [`Document`], unless the program says
+/// otherwise: then it has no format, and `json`, `read`, `unsaved_work` and `take_up` are its own.
+pub trait Work: Picture {
     /// What is changed, undone and saved.
     type Value: Clone + PartialEq;
 
-    /// The format of the stored configurations.
-    fn format(&self) -> Format;
+    /// The question whether to save.
+    const ASK_SAVE: Words = words::ASK_SAVE;
+    /// What is told when it is saved.
+    const SAVED: Option<Words> = None;
+
+    /// The format of the stored documents; `None` if they are JSON of the program's own.
+    fn format(&self) -> Option<Format> {
+        None
+    }
 
     /// The method that the program draws by where a document names none.
     fn implied(&self) -> Option<Method> {
         None
     }
 
-    /// Whether a file of the format can hold the configuration apart from its recipe; otherwise it is saved as JSON.
-    fn fits_format(&self) -> bool {
-        true
+    /// The format that it is saved in; `None`, JSON, where files of its format have no room, its recipe aside.
+    fn saved_as(&self) -> Option<Format> {
+        self.format()
     }
 
     /// The edited value with its past.
     fn history(&mut self) -> &mut History<Self::Value>;
+
+    /// Whether something would be lost.
+    fn unsaved(&mut self) -> bool {
+        self.history().unsaved()
+    }
 
     /// Goes back to the state before there is a configuration.
     fn reset(&mut self);
@@ -51,19 +69,33 @@ pub trait Configuration: Picture {
     /// Why the program cannot work with it.
     fn open(&mut self, document: &Document) -> Result<(), Phrase>;
 
-    /// The configuration as a document.
-    fn document(&self) -> Document;
+    /// The work as a document.
+    ///
+    /// # Errors
+    /// Why it is none.
+    fn document(&self) -> Result<Document, Phrase>;
 
     /// The model as `dump` writes it.
     fn model(&self) -> impl Serialize + 'static;
 
-    /// Asks what comes before the question for a new or a stored configuration; `true` if the answer already is a
-    /// configuration.
+    /// Ends what cannot go on under a question about saving.
+    fn settle(&mut self) {}
+
+    /// What a program asks before it asks for a new or a stored configuration; `true` if the answer is a
+    /// configuration already.
     ///
     /// # Errors
     /// [`Stop::Closed`] when the display is being closed.
     fn ask_first(&mut self, _desk: &mut Desk<'_>) -> impl Future<Output = Asked<bool>> {
         async { Ok(false) }
+    }
+
+    /// Looks at the clock, and goes on to what is seen now.
+    fn look(&mut self, _desk: &Desk<'_>) {}
+
+    /// How long after that look something is due by itself, a step or another picture; `None` if nothing is.
+    fn due(&self) -> Option<Duration> {
+        None
     }
 
     /// Works until a command leads out of the configuration.
@@ -77,10 +109,10 @@ pub trait Configuration: Picture {
     /// # Errors
     /// What cannot be written.
     fn unsaved_work(&self) -> Result<String, Phrase> {
-        self.document().to_json().map_err(|error| words::plain(&error))
+        self.document()?.to_json().map_err(|error| words::plain(&error))
     }
 
-    /// Takes up what [`Configuration::unsaved_work`] has written.
+    /// Takes up what [`Work::unsaved_work`] has written.
     ///
     /// # Errors
     /// What is wrong with it; the configuration stays as it was.
@@ -93,18 +125,18 @@ pub trait Configuration: Picture {
     /// # Errors
     /// What is wrong with the file.
     fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-        let document = with_twin(read_document(storage, name, self.format())?, storage, name);
+        let Some(format) = self.format() else { return Err(words::NO_SUCH_FILE.into()) };
+        let document = with_twin(read_document(storage, name, format)?, storage, name);
         self.open(&with_json(document, storage, name))
     }
 
-    /// The configuration as a JSON file, which names the method too.
+    /// The work as the content of a JSON file, which names the method too.
     ///
     /// # Errors
     /// What JSON cannot hold.
-    fn json(&self, name: &str) -> Result<(String, Vec<u8>), Phrase> {
-        let document = design::naming(self.document(), self.implied());
-        let content = document.encode(FileKind::Json).map_err(|error| words::in_file(name, &error))?;
-        Ok((name.to_owned(), content))
+    fn json(&self, name: &str) -> Result<Vec<u8>, Phrase> {
+        let document = design::naming(self.document()?, self.implied());
+        document.encode(FileKind::Json).map_err(|error| words::in_file(name, &error))
     }
 }
 
@@ -113,22 +145,19 @@ pub trait Configuration: Picture {
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed and nothing is left to save.
-pub async fn run<C: Configuration>(
-    mut state: C,
-    desk: &mut Desk<'_>,
-    document: Option<Document>,
-) -> Asked<()> {
+pub async fn run<W: Work>(mut state: W, desk: &mut Desk<'_>, document: Option<Document>) -> Asked<()> {
     let ended = live(&mut state, desk, document).await;
     // The user has answered everything; a session that breaks off does not get here.
     rescue::forget(desk);
     ended
 }
 
-async fn live<C: Configuration>(state: &mut C, desk: &mut Desk<'_>, document: Option<Document>) -> Asked<()> {
-    let mut next = match document {
-        Some(document) => begin_with(state, desk, &document).await?,
-        None => Next::Restart,
+async fn live<W: Work>(state: &mut W, desk: &mut Desk<'_>, document: Option<Document>) -> Asked<()> {
+    let begun = match document {
+        Some(document) => offer_lost(state, desk).await? || desk.done(state.open(&document), Stay::UntilRead),
+        None => false,
     };
+    let mut next = if begun { Next::Work } else { Next::Restart };
     loop {
         let step = match next {
             Next::Restart => start(state, desk).await.map(|()| Next::Work),
@@ -148,27 +177,9 @@ async fn live<C: Configuration>(state: &mut C, desk: &mut Desk<'_>, document: Op
     }
 }
 
-/// Takes up lost work, or else the document.
-async fn begin_with<C: Configuration>(
-    state: &mut C,
-    desk: &mut Desk<'_>,
-    document: &Document,
-) -> Asked<Next> {
-    if offer_lost(state, desk).await? {
-        return Ok(Next::Work);
-    }
-    match state.open(document) {
-        Ok(()) => Ok(Next::Work),
-        Err(problem) => {
-            desk.tell(problem, Stay::UntilRead);
-            Ok(Next::Restart)
-        }
-    }
-}
-
-/// Offers lost work; whether some was taken up. It counts as unsaved.
-async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<bool> {
-    let taken = rescue::offer(state, desk, C::take_up, C::reset).await?;
+/// Offers lost work; whether some was taken up, as unsaved as it is.
+async fn offer_lost<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
+    let taken = rescue::offer(state, desk).await?;
     if taken {
         state.history().mark_unsaved();
         keep(state, desk);
@@ -176,23 +187,20 @@ async fn offer_lost<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Ask
     Ok(taken)
 }
 
-/// Keeps the configuration while it is unsaved. To be called after changes, before the program waits; [`event`] does.
-pub fn keep<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) {
-    if state.history().take_touched() {
-        let unsaved = state.history().unsaved();
-        rescue::keep(desk, || unsaved.then(|| state.unsaved_work()));
-    }
-    rescue::tell_problem(desk);
-}
-
-/// Keeps unsaved work, shows the program's picture and sleeps until something happens.
+/// Keeps unsaved work, shows the program's picture and sleeps until something happens or is due.
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed.
-pub async fn event<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<crate::machine::Tick> {
+pub async fn event<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<Tick> {
+    state.look(desk);
     keep(state, desk);
     desk.machine.publish(state.model());
-    desk.event(&*state).await
+    let tick = match state.due() {
+        Some(due) => desk.event_before(&*state, desk.machine.now() + due).await?,
+        None => desk.event(&*state).await?,
+    };
+    state.look(desk);
+    Ok(tick)
 }
 
 /// Carries out the keys that every editor shares: undo, redo, save, and Esc, which returns to the menu that runs the
@@ -200,11 +208,7 @@ pub async fn event<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Aske
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed, or to go back.
-pub async fn common_key<C: Configuration>(
-    state: &mut C,
-    desk: &mut Desk<'_>,
-    key: Option<Key>,
-) -> Asked<bool> {
+pub async fn common_key<W: Work>(state: &mut W, desk: &mut Desk<'_>, key: Option<Key>) -> Asked<bool> {
     let moved = match key {
         Some(Key::Ctrl('Z')) => state.history().undo(),
         Some(Key::Ctrl('Y')) => state.history().redo(),
@@ -222,7 +226,7 @@ pub async fn common_key<C: Configuration>(
 }
 
 /// Asks for a new or a stored configuration until there is one.
-async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()> {
+async fn start<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<()> {
     state.reset();
     desk.machine.set_file(None);
     keep(state, desk);
@@ -241,21 +245,30 @@ async fn start<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()
             None if desk.machine.leave() => return Err(Stop::Closed),
             Some(Answer::First) | None => return Ok(()),
         }
-        let name = desk.file_name(&*state, state.format().extension(), Way::Load).await;
-        let Some(name) = name.unless_cancelled()? else { continue };
-        match state.read(desk.machine.storage(), &name) {
-            Ok(()) => {
-                desk.machine.set_file(Some(name));
-                return Ok(());
-            }
-            Err(problem) => desk.tell(problem, Stay::Briefly),
+        if load(state, desk, Stay::Briefly).await.unless_cancelled()? == Some(true) {
+            return Ok(());
         }
     }
 }
 
+/// Asks for a name and takes up what is stored under it; whether it was done.
+pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay) -> Asked<bool> {
+    state.settle();
+    let extension = state.format().map_or(JSON, Format::extension);
+    let name = desk.file_name(&*state, extension, Way::Load).await?;
+    let read = state.read(desk.machine.storage(), &name);
+    let done = desk.done(read, stay);
+    if done {
+        desk.machine.set_file(Some(name));
+        state.history().mark_saved();
+    }
+    Ok(done)
+}
+
 /// Asks for a name and saves; whether it was done.
-async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<bool> {
-    let extension = if state.fits_format() { state.format().extension() } else { "JSON" };
+pub(crate) async fn save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
+    state.settle();
+    let extension = state.saved_as().map_or(JSON, Format::extension);
     let name = desk.file_name(&*state, extension, Way::Save).await?;
     let stored = match files(state, desk, &name).await? {
         Ok(files) => {
@@ -267,27 +280,28 @@ async fn save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<boo
         }
         Err(problem) => Err(problem),
     };
-    match stored {
-        Ok(()) => {
-            desk.machine.set_file(Some(name));
-            state.history().mark_saved();
-            keep(state, desk);
-            Ok(true)
+    let done = desk.done(stored, Stay::UntilRead);
+    if done {
+        desk.machine.set_file(Some(name));
+        state.history().mark_saved();
+        if let Some(saved) = W::SAVED {
+            desk.tell(saved, Stay::Briefly);
         }
-        Err(problem) => {
-            desk.tell(problem, Stay::UntilRead);
-            Ok(false)
-        }
+        keep(state, desk);
     }
+    Ok(done)
 }
 
-/// The files that a configuration is stored in. What the format cannot hold is named, and a JSON file beside it is
-/// offered; a JSON file that already belongs to it is written without a question.
-async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> Asked<Result<Files, Phrase>> {
-    if !state.fits_format() {
-        return Ok(state.json(name).map(|file| vec![file]));
-    }
-    let (document, format, json) = (state.document(), state.format(), json_name(name));
+/// The files that a configuration is stored in under a name. What its format cannot hold is said, and a JSON file
+/// beside it offered; a JSON file that already belongs to it is written without a question.
+async fn files<W: Work>(state: &W, desk: &mut Desk<'_>, name: &str) -> Asked<Result<Files, Phrase>> {
+    let json_file = |name: &str| Ok((name.to_owned(), state.json(name)?));
+    let Some(format) = state.saved_as() else { return Ok(json_file(name).map(|file| vec![file])) };
+    let document = match state.document() {
+        Ok(document) => document,
+        Err(problem) => return Ok(Err(problem)),
+    };
+    let json = json_name(name);
     let files = dos_files(&document, format, name);
     let lost = design::lost(&document, format, state.implied());
     let mut files = match files {
@@ -307,7 +321,7 @@ async fn files<C: Configuration>(state: &C, desk: &mut Desk<'_>, name: &str) -> 
         // The originals have no such question, and no shapes of joints.
         Manner::Original => lost.iter().any(|name| name == "joints"),
     };
-    Ok(wanted.then(|| state.json(&json)).transpose().map(|json| {
+    Ok(wanted.then(|| json_file(&json)).transpose().map(|json| {
         files.extend(json);
         files
     }))
@@ -320,9 +334,9 @@ fn store(files: &Files, storage: &mut dyn Storage) -> Result<(), Phrase> {
     Ok(())
 }
 
-/// Asks whether to save until that is answered and done; Esc goes back to work.
-async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<()> {
-    while desk.yes(&*state, words::ASK_SAVE).await? {
+/// Asks whether to save until it is answered and done; Esc: nothing shall be left.
+pub(crate) async fn offer_to_save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<()> {
+    while desk.yes(&*state, W::ASK_SAVE).await? {
         // Esc in the questions for the name leads back to this one.
         if save(state, desk).await.unless_cancelled()? == Some(true) {
             break;
@@ -335,7 +349,7 @@ async fn offer_to_save<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> 
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed.
-pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked<Next> {
+pub async fn quit<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<Next> {
     if offer_to_save(state, desk).await.unless_cancelled()?.is_none() {
         return Ok(Next::Work);
     }
@@ -348,10 +362,11 @@ pub async fn quit<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> Asked
     Ok(Next::Work)
 }
 
-/// Whether the display may close: at once if everything is saved, else as the user decides. Pressing the close button
-/// again leaves the question standing, so that a slip loses no work.
-async fn may_close<C: Configuration>(state: &mut C, desk: &mut Desk<'_>) -> bool {
-    while state.history().unsaved() {
+/// Whether the display may close: at once if everything is saved, else as the user decides. The close
+/// button pressed again leaves the question standing, so that no slip loses work.
+async fn may_close<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> bool {
+    state.settle();
+    while state.unsaved() {
         match offer_to_save(state, desk).await {
             Ok(()) => return true,
             Err(Stop::Cancelled) => return false,

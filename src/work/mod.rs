@@ -4,8 +4,11 @@
 mod files;
 mod history;
 mod life;
-pub mod rescue;
+mod rescue;
 
+pub(crate) use files::read_content;
 pub use files::{Files, dos_files, read_document, with_json, with_twin};
 pub use history::History;
-pub use life::{Configuration, Next, common_key, event, keep, quit, run};
+pub use life::{Next, Work, common_key, event, quit, run};
+pub(crate) use life::{load, offer_to_save, save};
+pub use rescue::keep;

@@ -1,63 +1,58 @@
-//! Unsaved work is kept after every change, and offered again after a session that broke off.
-//!
-//! The program decides how its work is written as text and read again.
+//! Unsaved work is kept while it grows, and offered again after a session that broke off.
 
-use crate::machine::{Asked, Asking, Verdict, Work};
+use super::life::Work;
+use crate::machine::{self, Asked, Asking, Verdict};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Picture, Stay};
 
-/// Keeps the unsaved work, or notes that there is none. `work` is not called on a machine without a recovery. Errors are
-/// reported once.
-pub fn keep(desk: &mut Desk<'_>, work: impl FnOnce() -> Option<Result<String, Phrase>>) {
-    let (program, file) = (desk.program().to_string(), desk.machine.file().map(str::to_string));
+/// Keeps the work as long as it is unsaved. To be called when it may have changed, before the program waits:
+/// [`event`](super::event) does it. A machine without a place for it does not ask for the work. Why it cannot be kept
+/// is told once.
+pub fn keep<W: Work>(state: &mut W, desk: &mut Desk<'_>) {
+    let touched = state.history().take_touched();
+    let (program, file) = (desk.program(), desk.machine.file().map(str::to_string));
     let Some(recovery) = desk.machine.recovery() else { return };
-    match work() {
-        Some(Ok(content)) => recovery.keep(Work { program, file, content }),
-        Some(Err(problem)) => desk.tell(problem, Stay::UntilRead),
-        None => recovery.forget(),
+    if touched {
+        match state.unsaved().then(|| state.unsaved_work()) {
+            None => recovery.forget(),
+            Some(Ok(content)) => recovery.keep(machine::Work { program: program.to_string(), file, content }),
+            Some(Err(problem)) => return desk.tell(problem, Stay::UntilRead),
+        }
     }
-}
-
-/// Reports that work could not be kept.
-pub fn tell_problem(desk: &mut Desk<'_>) {
-    if let Some(problem) = desk.machine.recovery().and_then(|recovery| recovery.problem()) {
+    if let Some(problem) = recovery.problem() {
         desk.tell(words::not_kept(&problem), Stay::UntilRead);
     }
 }
 
-/// Notes that nothing is left to keep: everything is saved or given up.
-pub fn forget(desk: &mut Desk<'_>) {
+/// Notes that nothing is left to keep: all is saved, or the user has decided so.
+pub(super) fn forget(desk: &mut Desk<'_>) {
     if let Some(recovery) = desk.machine.recovery() {
         recovery.forget();
     }
 }
 
-/// Offers the work of sessions that broke off, newest first, until one is taken up (`true`) or none is left. `take_up`
-/// loads the work, so that the program shows it under the question; `put_down` goes back to the start.
+/// Offers the work of sessions that broke off, the newest first, until one is taken up (`true`) or there is
+/// no more. While the question stands the program shows the work.
 ///
 /// # Errors
-/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed; the work will be offered at the next start.
-pub async fn offer<P: Picture>(
-    program: &mut P,
-    desk: &mut Desk<'_>,
-    take_up: fn(&mut P, &str) -> Result<(), Phrase>,
-    put_down: fn(&mut P),
-) -> Asked<bool> {
+/// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed; the work will be offered at
+/// the next start.
+pub(super) async fn offer<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
     let mut broken: Option<(String, Phrase)> = None;
     let mut more = 0;
     let name = desk.program();
     let taken = loop {
         let Some(lost) = desk.machine.recovery().and_then(|recovery| recovery.lost(name)) else { break None };
         let readable = lost.work.map_err(|problem| Phrase::plain(&problem)).and_then(|work| {
-            take_up(program, &work.content)?;
+            state.take_up(&work.content)?;
             Ok(work)
         });
         let verdict = match &readable {
             Ok(work) => {
                 let facts = words::broke_off(name, work.file.as_deref(), lost.age);
-                let verdict = decide(program, desk, &facts).await;
+                let verdict = decide(state, desk, &facts).await;
                 if verdict != Ok(Verdict::TakenUp) {
-                    put_down(program);
+                    state.reset();
                 }
                 verdict?
             }

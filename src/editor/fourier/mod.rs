@@ -9,18 +9,18 @@ mod picture;
 
 pub use crate::design::fourier::{coefficients, curve};
 
-use super::keys::{SAVE, UNDO};
+use super::keys::{QUIT, SAVE, UNDO};
 use crate::design::fourier::{Coefficient, Column};
 use crate::file::{Document, Format, Fourier};
 use crate::machine::{Asked, Asking, Event, Key, Machine, Stop, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{
-    Accepts, Area, Desk, Entry, KeyHelp, Manual, Number, Over, Start, Stay, TOP, Typed, Words, page, window,
+    Accepts, Area, Button, Command, Commands, Desk, Entry, KeyHelp, Manual, Number, Over, Start, Stay, TOP,
+    Typed, Words, page, window,
 };
-use crate::work::{self, Configuration, History, Next, common_key, event, quit};
+use crate::work::{self, History, Next, Work, common_key, event, quit};
 use fitting::Target;
-use picture::COMMANDS;
 use serde::Serialize;
 
 /// What the screen shows.
@@ -58,19 +58,46 @@ struct Model {
     unsaved: bool,
 }
 
-/// The keys of the editor for its help page; a program adds none.
-pub const KEYS: &[KeyHelp] = &[
-    (Words("egér", "mouse"), words::HELP_WINDOW),
-    (Words("V", "V"), words::HELP_COEFFICIENT),
-    (Words("görgő Fel Le", "wheel Up Down"), words::HELP_STEP),
-    (Words("PgUp PgDn", "PgUp PgDn"), words::HELP_TEN_STEPS),
-    (Words("Bal Jobb Tab", "Left Right Tab"), words::HELP_OTHER_WINDOW),
-    (Words("Enter", "Enter"), words::HELP_TYPE),
-    (Words("F5", "F5"), words::HELP_FIT),
-    (Words("Q", "Q"), words::HELP_QUIT),
-    SAVE,
-    UNDO,
-];
+/// What a command does.
+#[derive(Clone, Copy)]
+enum Action {
+    Change,
+    Step(i32),
+    Choose(fn(Coefficient) -> Coefficient),
+    Type,
+    Fit,
+    Quit,
+    Back,
+}
+
+const COMMANDS: Commands<Action> = Commands(&[
+    Command::told((Words("egér", "mouse"), words::HELP_WINDOW)),
+    Command::button(
+        Button::new(550, 21, words::CHANGE),
+        (Words("V", "V"), words::HELP_COEFFICIENT),
+        Action::Change,
+    ),
+    Command::key(Key::Up, (Words("görgő Fel Le", "wheel Up Down"), words::HELP_STEP), Action::Step(1)),
+    Command::also(Key::Down, Action::Step(-1)),
+    Command::key(Key::PageUp, (Words("PgUp PgDn", "PgUp PgDn"), words::HELP_TEN_STEPS), Action::Step(10)),
+    Command::also(Key::PageDown, Action::Step(-10)),
+    Command::key(
+        Key::Tab,
+        (Words("Bal Jobb Tab", "Left Right Tab"), words::HELP_OTHER_WINDOW),
+        Action::Choose(Coefficient::below),
+    ),
+    Command::also(Key::Right, Action::Choose(|place| place.beside(1))),
+    Command::also(Key::Left, Action::Choose(|place| place.beside(3))),
+    Command::key(Key::Enter, (Words("Enter", "Enter"), words::HELP_TYPE), Action::Type),
+    Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_FIT), Action::Fit),
+    Command::button(Button::new(550, 38, words::QUIT), QUIT, Action::Quit),
+    Command::told(SAVE),
+    Command::told(UNDO),
+    Command::also(Key::Esc, Action::Back),
+]);
+
+/// The help page; a program adds no keys.
+pub const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
 /// Makes the editor ready as a program, with a document that was named at the start or none.
 ///
@@ -112,11 +139,11 @@ fn circle() -> Fourier {
     fourier
 }
 
-impl Configuration for Editor {
+impl Work for Editor {
     type Value = Fourier;
 
-    fn format(&self) -> Format {
-        Format::Gbp
+    fn format(&self) -> Option<Format> {
+        Some(Format::Gbp)
     }
 
     fn history(&mut self) -> &mut History<Fourier> {
@@ -134,8 +161,8 @@ impl Configuration for Editor {
         Ok(())
     }
 
-    fn document(&self) -> Document {
-        Document::Fourier(Box::new(self.history.now().clone()))
+    fn document(&self) -> Result<Document, Phrase> {
+        Ok(Document::Fourier(Box::new(self.history.now().clone())))
     }
 
     fn model(&self) -> impl Serialize + 'static {
@@ -165,22 +192,27 @@ impl Configuration for Editor {
                 continue;
             }
             match self.command(&tick) {
-                Some('V') => {
+                None => {}
+                Some(Action::Change) => {
                     if let Some(place) = self.ask_coefficient(desk).await.unless_cancelled()? {
                         self.begin(place);
                     }
                 }
-                Some('Q') => {
+                Some(Action::Quit) => {
                     self.marked = None;
                     let next = quit(self, desk).await?;
                     if next != Next::Work {
                         return Ok(next);
                     }
                 }
-                _ if tick.pressed(Key::F(5)) => {
+                Some(Action::Fit) => {
                     self.fit(desk).await.unless_cancelled()?;
                 }
-                _ => self.walk(tick.key()),
+                Some(Action::Step(steps)) => self.step(self.chosen, steps),
+                Some(Action::Choose(other)) => self.mark(other(self.chosen)),
+                Some(Action::Type) => self.begin(self.chosen),
+                Some(Action::Back) if self.marked.is_some() => self.marked = None,
+                Some(Action::Back) => self.target = None,
             }
         }
     }
@@ -289,33 +321,13 @@ impl Editor {
         true
     }
 
-    /// The command letter of a key or of a click on a button; a click on a window opens it.
-    fn command(&mut self, tick: &Tick) -> Option<char> {
-        let Some((x, y)) = tick.click() else { return tick.letter() };
-        if let Some(place) = layout::coefficient_at(x, y) {
+    /// The command of a key or of a click on a button; a click on a window opens it.
+    fn command(&mut self, tick: &Tick) -> Option<Action> {
+        if let Some(place) = tick.click().and_then(|(x, y)| layout::coefficient_at(x, y)) {
             self.begin(place);
             return None;
         }
-        COMMANDS.iter().find(|button| button.hit(x, y)).map(|button| button.text.letter)
-    }
-
-    /// Changes the chosen coefficient by a key, or chooses another; Esc also takes the fitted curve
-    /// off the picture.
-    fn walk(&mut self, key: Option<Key>) {
-        let place = self.chosen;
-        match key {
-            Some(Key::Up) => self.step(place, 1),
-            Some(Key::Down) => self.step(place, -1),
-            Some(Key::PageUp) => self.step(place, 10),
-            Some(Key::PageDown) => self.step(place, -10),
-            Some(Key::Tab) => self.mark(place.below()),
-            Some(Key::Right) => self.mark(place.beside(1)),
-            Some(Key::Left) => self.mark(place.beside(3)),
-            Some(Key::Enter) => self.begin(place),
-            Some(Key::Esc) if self.marked.is_some() => self.marked = None,
-            Some(Key::Esc) => self.target = None,
-            _ => {}
-        }
+        COMMANDS.find(tick)
     }
 
     /// Asks for a coefficient by name and number. A click on a window answers too.
@@ -359,5 +371,13 @@ impl Editor {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(super::COMMANDS.shared_keys(), []);
     }
 }

@@ -1,20 +1,16 @@
 //! The picture of the Fourier editor: the model as pixels, changing nothing.
 
-use super::{Editor, Stage, layout};
+use super::{COMMANDS, Editor, Stage, layout};
 use crate::design::fourier::{Coefficient, Column, curve};
 use crate::figure::{CURVE_INK, Figure};
 use crate::file::Fourier;
 use crate::geometry::ParamCurve;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::{Button, Picture, TOP, page, words};
+use crate::ui::{Picture, TOP, page};
 
 /// Steps in which the curve is drawn.
 const STEPS: usize = 1000;
-
-/// The command buttons.
-pub(super) const COMMANDS: [Button; 2] =
-    [Button::new(550, 21, words::CHANGE), Button::new(550, 38, words::QUIT)];
 
 impl Picture for Editor {
     fn draw(&self, screen: &mut Screen, language: Language) {
@@ -27,7 +23,7 @@ impl Picture for Editor {
         page(screen, TOP);
         if let Some(fourier) = shown {
             self.draw_columns(screen, fourier);
-            COMMANDS.iter().for_each(|button| button.draw(screen, language));
+            COMMANDS.draw(screen, language);
         }
         if self.stage == Stage::Working {
             self.draw_notes(screen, language);
