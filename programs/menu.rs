@@ -69,7 +69,7 @@ impl Menu {
     fn finds(&self, index: usize) -> bool {
         let Some(program) = ALL.get(index) else { return false };
         let Words(hungarian, english) = program.manual.about;
-        [program.manual.name, hungarian, english].iter().any(|text| plain(text).contains(&self.search))
+        [program.manual.name, hungarian, english].iter().any(|text| folded(text).contains(&self.search))
     }
 
     /// Chooses the first found program behind or before the chosen one, around the end.
@@ -129,7 +129,7 @@ impl Menu {
             Some(Key::Backspace) => {
                 self.search.pop();
             }
-            Some(Key::Char(typed)) => self.look_for(format!("{}{}", self.search, plain(&typed.to_string()))),
+            Some(Key::Char(typed)) => self.look_for(format!("{}{}", self.search, folded(&typed.to_string()))),
             _ => {}
         }
         Next::Stay
@@ -158,11 +158,16 @@ impl Menu {
     }
 }
 
-/// A text as it is searched in: small letters without accents.
-fn plain(text: &str) -> String {
-    let accents = "áéíóöőúüű".chars().zip("aeiooouuu".chars());
-    let plain =
-        |letter: char| accents.clone().find(|(known, _)| *known == letter).map_or(letter, |(_, it)| it);
+/// A text as it is searched in: small letters without accents, so that a search needs no Hungarian keyboard.
+fn folded(text: &str) -> String {
+    let plain = |letter: char| match letter {
+        'á' => 'a',
+        'é' => 'e',
+        'í' => 'i',
+        'ó' | 'ö' | 'ő' => 'o',
+        'ú' | 'ü' | 'ű' => 'u',
+        other => other,
+    };
     text.to_lowercase().chars().map(plain).collect()
 }
 
@@ -257,10 +262,10 @@ async fn run(machine: &mut Machine) -> Asked<()> {
                     let program = ALL.get(menu.chosen).ok_or(Stop::Closed)?;
                     let Ok(start) = (program.start)(None) else { continue };
                     desk.machine.set_file(None);
-                    desk.machine.invite();
+                    desk.machine.become_guest();
                     let ended = start(desk.machine).await;
                     // Esc brings back here; the close button closes the menu too.
-                    if !desk.machine.see_off() {
+                    if !desk.machine.end_visit() {
                         ended.unless_cancelled()?;
                     }
                 }

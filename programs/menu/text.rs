@@ -1,5 +1,6 @@
 //! The menu in the terminal: the programs by groups on a page of text, found by typing, started where it stands.
 
+use super::folded;
 use crate::file::Format;
 use crate::machine::{Key, Language, SAMPLES};
 use crate::programs::groups::GROUPS;
@@ -147,19 +148,6 @@ impl TextMenu {
             _ => {}
         }
     }
-}
-
-/// Small letters without their accents, so that a search needs no Hungarian keyboard.
-fn folded(text: &str) -> String {
-    let plain = |letter: char| match letter {
-        'á' => 'a',
-        'é' => 'e',
-        'í' => 'i',
-        'ó' | 'ö' | 'ő' => 'o',
-        'ú' | 'ü' | 'ű' => 'u',
-        other => other,
-    };
-    text.to_lowercase().chars().map(plain).collect()
 }
 
 impl TextProgram for TextMenu {

@@ -1,8 +1,8 @@
 //! The editor of control points that the programs share: points are dragged, changed by number, undone, and seen
 //! with the curve or surface that follows them.
 //!
-//! [`Editor`] is everything that is the same for curves of the plane, curves in space and surfaces: the work loop,
-//! dragging, the stages, picture and figure. What one of them has of its own is a [`Craft`]. Fourier curves are a
+//! `Editor` is everything that is the same for curves of the plane, curves in space and surfaces: the work loop,
+//! dragging, the stages, picture and figure. What one of them has of its own is a `Craft`. Fourier curves are a
 //! table of coefficients and have an editor of their own.
 
 pub mod curve;

@@ -12,7 +12,7 @@ pub(super) fn of_curve(error: &DesignError) -> Phrase {
         },
         DesignError::TooMany(count) => words::too_many_points(*count),
         DesignError::Geometry(error) => words::no_curve(error),
-        other => words::plain(other),
+        other => Phrase::plain(other),
     }
 }
 
@@ -22,6 +22,6 @@ pub(super) fn of_surface(error: &DesignError) -> Phrase {
         DesignError::OtherNet { wanted, found } => words::other_net(*wanted, *found),
         DesignError::NetSize { found, least, most } => words::net_size(*found, *least, *most),
         DesignError::Geometry(error) => words::no_surface(error),
-        other => words::plain(other),
+        other => Phrase::plain(other),
     }
 }

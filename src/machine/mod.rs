@@ -290,12 +290,12 @@ impl Machine {
     }
 
     /// Makes the program that runs next a guest of this one.
-    pub fn invite(&mut self) {
+    pub fn become_guest(&mut self) {
         self.visit = Visit::Guest;
     }
 
     /// Makes a guest return to its host; `false` if the program is no guest.
-    pub fn leave(&mut self) -> bool {
+    pub fn return_to_host(&mut self) -> bool {
         let guest = self.visit != Visit::None;
         if guest {
             self.visit = Visit::Leaving;
@@ -303,15 +303,15 @@ impl Machine {
         guest
     }
 
-    /// Takes back [`Machine::leave`].
-    pub fn stay(&mut self) {
+    /// Takes back [`Machine::return_to_host`].
+    pub fn stay_guest(&mut self) {
         if self.visit == Visit::Leaving {
             self.visit = Visit::Guest;
         }
     }
 
     /// Ends a guest's visit; whether it returned to its host, rather than because the display closes.
-    pub fn see_off(&mut self) -> bool {
+    pub fn end_visit(&mut self) -> bool {
         std::mem::take(&mut self.visit) == Visit::Leaving
     }
 

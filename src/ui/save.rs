@@ -68,7 +68,7 @@ impl Desk<'_> {
             self.ask_words(picture, figure).await?;
         }
         let name = self.ask_name(picture, extension).await?;
-        let saved = content.encode(kind, width).map_err(|error| words::plain(&error)).and_then(|file| {
+        let saved = content.encode(kind, width).map_err(|error| Phrase::plain(&error)).and_then(|file| {
             let written = self.machine.storage().write(&name, &file);
             written.map_err(|error| words::storage_problem(&error))
         });
@@ -154,7 +154,7 @@ impl Desk<'_> {
     }
 
     fn save_picture(&mut self) -> Result<String, Phrase> {
-        let picture = screen_png(self.machine.screen()).map_err(|error| words::plain(&error))?;
+        let picture = screen_png(self.machine.screen()).map_err(|error| Phrase::plain(&error))?;
         let name = free_name(self.machine.storage(), self.manual.name, "png");
         let written = self.machine.storage().write(&name, &picture);
         written.map_err(|error| words::storage_problem(&error))?;

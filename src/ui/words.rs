@@ -127,12 +127,6 @@ pub(crate) const HELP_PICTURE: Words = Words("a képernyő mentése PNG-be", "sa
 pub(crate) const HELP_ESC: Words = Words("kérdés, beírás elvetése", "cancel a question or an entry");
 pub(crate) const HELP_LEAVE: Words = Words("Vissza: bármely billentyű", "Back: any key");
 
-/// An error that has its sentence in English only.
-pub(crate) fn plain(error: &dyn std::fmt::Display) -> Phrase {
-    let text = error.to_string();
-    Phrase::new(text.clone(), text)
-}
-
 /// What is wrong with a stored file.
 pub(crate) fn storage_problem(error: &StorageError) -> Phrase {
     let StorageError { name, problem } = error;
@@ -356,7 +350,7 @@ pub(crate) const TENSION_VALUE: Words = Words("Feszültség = ", "Tension = ");
 
 /// Why there is no curve. The rarer reasons have their sentence in English only.
 pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
-    let GeometryError::CriticalTension { bias, critical, .. } = error else { return plain(error) };
+    let GeometryError::CriticalTension { bias, critical, .. } = error else { return Phrase::plain(error) };
     let number = |value: &f64| format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_string();
     let (bias, critical) = (number(bias), number(critical));
     Phrase::new(
@@ -537,7 +531,7 @@ pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
             format!("{given} délgörbe: a számuk páros kell legyen, mert szemköztiek kapcsolódnak");
         return Phrase::new(hungarian, error.to_string());
     }
-    let GeometryError::CriticalTension { bias, critical, .. } = error else { return plain(error) };
+    let GeometryError::CriticalTension { bias, critical, .. } = error else { return Phrase::plain(error) };
     Phrase::new(
         format!("{bias:.2} eltolásnál a {critical:.2} feszültség kritikus: nincs felület. Más kell: C"),
         format!(

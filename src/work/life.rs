@@ -109,7 +109,7 @@ pub trait Work: Picture {
     /// # Errors
     /// What cannot be written.
     fn unsaved_work(&self) -> Result<String, Phrase> {
-        self.document()?.to_json().map_err(|error| words::plain(&error))
+        self.document()?.to_json().map_err(|error| Phrase::plain(&error))
     }
 
     /// Takes up what [`Work::unsaved_work`] has written.
@@ -117,7 +117,7 @@ pub trait Work: Picture {
     /// # Errors
     /// What is wrong with it; the configuration stays as it was.
     fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
-        self.open(&Document::from_json(work).map_err(|error| words::plain(&error))?)
+        self.open(&Document::from_json(work).map_err(|error| Phrase::plain(&error))?)
     }
 
     /// Reads a stored configuration, including its twin or the JSON file beside it.
@@ -170,7 +170,7 @@ async fn live<W: Work>(state: &mut W, desk: &mut Desk<'_>, document: Option<Docu
             Err(Stop::Cancelled) => Next::Work,
             Err(Stop::Closed) if may_close(state, desk).await => return Err(Stop::Closed),
             Err(Stop::Closed) => {
-                desk.machine.stay();
+                desk.machine.stay_guest();
                 Next::Work
             }
         };
@@ -216,7 +216,7 @@ pub async fn common_key<W: Work>(state: &mut W, desk: &mut Desk<'_>, key: Option
             save(state, desk).await.unless_cancelled()?;
             true
         }
-        Some(Key::Esc) if desk.machine.leave() => return Err(Stop::Closed),
+        Some(Key::Esc) if desk.machine.return_to_host() => return Err(Stop::Closed),
         _ => return Ok(false),
     };
     if !moved {
@@ -242,7 +242,7 @@ async fn start<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<()> {
         let question = Question::new(MIDDLE, words::ASK_CONFIGURATION, [words::NEW, words::STORED]);
         match desk.ask(&*state, &question).await.unless_cancelled()? {
             Some(Answer::Second) => {}
-            None if desk.machine.leave() => return Err(Stop::Closed),
+            None if desk.machine.return_to_host() => return Err(Stop::Closed),
             Some(Answer::First) | None => return Ok(()),
         }
         if load(state, desk, Stay::Briefly).await.unless_cancelled()? == Some(true) {

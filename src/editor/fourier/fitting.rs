@@ -113,7 +113,7 @@ impl Editor {
                 self.change(fourier);
                 self.target = Some(target);
             }
-            Err(error) => desk.tell(words::plain(&error), Stay::UntilRead),
+            Err(error) => desk.tell(Phrase::plain(&error), Stay::UntilRead),
         }
         Ok(())
     }

@@ -128,7 +128,7 @@ fn coefficients_of(document: &Document) -> Result<Fourier, Phrase> {
     let Document::Fourier(fourier) = document else {
         return Err(words::NO_COEFFICIENTS.into());
     };
-    curve(fourier).map_err(|error| words::plain(&error))?;
+    curve(fourier).map_err(|error| Phrase::plain(&error))?;
     Ok(Fourier::clone(fourier))
 }
 

@@ -94,7 +94,7 @@ impl Editor<Nets, 3> {
         let why = |error: DesignError| refusal::of_surface(&error);
         let Some(scheme) = now.scheme().map_err(why)? else { return Ok(now.clone()) };
         let direction = if direction == 0 { RefineDirection::U } else { RefineDirection::V };
-        let points = refine(scheme, &now.net.points, direction).map_err(|error| words::plain(&error))?;
+        let points = refine(scheme, &now.net.points, direction).map_err(|error| Phrase::plain(&error))?;
         NetDesign { net: Net { points, ..now.net.clone() }, ..now.clone() }.fitting().map_err(why)
     }
 
