@@ -11,8 +11,10 @@ pub(super) const LEFT: i32 = 24;
 const RIGHT: i32 = 190;
 /// Upper edge of the list, and of the pictures.
 const TOP: i32 = 52;
-/// Height of a line of the list.
-const LINE: i32 = 10;
+/// Lower edge of the list.
+const BOTTOM: i32 = 434;
+/// Largest and smallest height of a line of the list, whose letters have eight pixels.
+const LINES: [i32; 2] = [10, 8];
 /// Pictures beside each other, and the place of the first one.
 const ACROSS: i32 = 3;
 const FIRST: (i32, i32) = (204, TOP + 2);
@@ -32,7 +34,11 @@ pub(super) fn lines() -> impl Iterator<Item = (Area, Line)> {
     let all = GROUPS
         .into_iter()
         .flat_map(|group| std::iter::once(Line::Group(group)).chain(programs(group).map(Line::Program)));
-    (TOP..).step_by(LINE as usize).zip(all).map(|(y, line)| (Area::new(LEFT, y, RIGHT, y + LINE - 1), line))
+    let count = i32::try_from(GROUPS.len() + ALL.len()).unwrap_or(i32::MAX);
+    let [largest, smallest] = LINES;
+    let high = ((BOTTOM - TOP) / count).clamp(smallest, largest);
+    let area = move |y: i32| Area::new(LEFT, y, RIGHT, y + high - 1);
+    (0..).zip(all).map(move |(index, line)| (area(TOP + index * high), line))
 }
 
 /// The numbers of a group's programs.
@@ -65,7 +71,7 @@ mod tests {
     #[test]
     fn everything_fits_into_the_menu() {
         let last = lines().last().expect("there are programs").0;
-        assert!(last.y2 < 434, "{}", last.y2);
+        assert!(last.y2 < BOTTOM, "{}", last.y2);
         for group in GROUPS {
             let Words(hungarian, english) = group.name;
             let room = ((RIGHT - LEFT) / 8) as usize;

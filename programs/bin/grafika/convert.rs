@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
   grafika convert A.IP2 a.json
   cat points.csv | grafika convert - a.ip2 --from csv
   grafika convert A.ZMS - --to json > a.json
-  grafika convert A.IC2 b.ic2                (writes b.ec2 too, with the tangents)")]
+  grafika convert A.IC2 b.ic2")]
 pub(crate) struct Convert {
     #[command(flatten)]
     source: Source,
