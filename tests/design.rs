@@ -591,7 +591,7 @@ mod commands {
                 (
                     &["bare.json", "--method", "hermite"],
                     2,
-                    "grafika: hermite needs tangents, as an .IC2 file with its .EC2 or an .FHC file has them",
+                    "grafika: hermite needs tangents, as an .IC2 file with its .EC2 has them",
                 ),
                 (
                     &["bare.json", "--method", "fourier"],
