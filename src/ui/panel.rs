@@ -29,7 +29,7 @@ pub enum Row<M: 'static> {
         name: Words,
         /// What stands above the entry.
         caption: Words,
-        /// The text as it is, and as it is shown.
+        /// The text as it is.
         get: fn(&M) -> String,
         /// The text as it is shown.
         shown: fn(&M, usize, Language) -> String,
@@ -143,6 +143,14 @@ impl<M> Panel<M> {
         screen.text(x1 + 16, y2 - 30, self.keys.of(language), Color::Black);
     }
 
+    /// Opens a tab at its first row that is no picture.
+    fn open_tab(&mut self, tab: usize) {
+        self.chosen = [tab, 0];
+        if matches!(self.rows().first(), Some(Row::Preview(..))) {
+            self.step(1);
+        }
+    }
+
     /// Chooses the next row, or the one before, around the end.
     fn step(&mut self, by: usize) {
         let count = self.rows().len().max(1);
@@ -160,7 +168,7 @@ impl<M> Panel<M> {
         if let Some((x, y)) = tick.click() {
             let tab = self.tab_areas().find(|(.., area)| area.holds(x, y)).map(|(index, ..)| index);
             if let Some(tab) = tab {
-                self.chosen = [tab, 0];
+                self.open_tab(tab);
             }
             let hit =
                 self.lines().find(|(_, row, area)| area.holds(x, y) && !matches!(row, Row::Preview(..)));
@@ -172,7 +180,9 @@ impl<M> Panel<M> {
         match tick.key()? {
             Key::Up => self.step(count - 1),
             Key::Down => self.step(1),
-            Key::Tab => self.chosen = [(self.chosen[0] + 1) % self.tabs.len().max(1), 0],
+            Key::Tab => self.open_tab((self.chosen[0] + 1) % self.tabs.len().max(1)),
+            // Only a choice has one before it.
+            Key::Left if !matches!(self.rows().get(self.chosen[1]), Some(Row::Choice { .. })) => {}
             Key::Left => return Some(false),
             Key::Right | Key::Enter | Key::Char(' ') => return Some(true),
             _ => {}
@@ -263,7 +273,7 @@ mod tests {
         Panel { area: Area::new(88, 120, 551, 345), title: NAME, keys: NAME, tabs, chosen: [0, 0] }
     }
 
-    /// The model after keys, and what was done last; `None` after Esc.
+    /// The model after keys, the row of the button that was pressed last, and a pixel of the preview.
     fn after(keys: &str) -> (Vec<f64>, Option<usize>, Option<Color>) {
         let manual = Manual { name: "panel", about: NAME, keys: &[], lesson: &[] };
         let machine = Machine::new(Box::new(Memory::default()), Settings::default());
@@ -295,6 +305,7 @@ mod tests {
                 't' => Key::Tab,
                 'e' => Key::Enter,
                 'b' => Key::Backspace,
+                'x' => Key::Esc,
                 digit => Key::Char(digit),
             };
             session.send(Event::Key(key), Duration::ZERO);
@@ -312,6 +323,14 @@ mod tests {
         assert_eq!(after("eb3e").2, Some(Color::LightCyan));
         // Out of range: told, and as it was.
         assert_eq!(after("e5e").0[0], 5.0);
+    }
+
+    #[test]
+    fn esc_ends_and_left_only_turns_choices() {
+        // A key after Esc reaches nobody.
+        assert_eq!(after("t>x>").0, [5.0, 1.0]);
+        assert_eq!(after("tv<").1, None);
+        assert_eq!(after("<7").0, [5.0, 0.0]);
     }
 
     #[test]
