@@ -1,7 +1,7 @@
 //! The file that preferences are kept in: `config.toml` of the program's folder among the user's settings. What
 //! is wrong in it is told and left alone; it never keeps a program from starting.
 
-use super::{UserFolder, write_safely};
+use super::{UserFolder, read_regular, text, write_safely};
 use crate::machine::{Keeper, Preference, Preferences};
 use std::path::PathBuf;
 use std::{fs, io};
@@ -80,7 +80,7 @@ impl ConfigFile {
     #[must_use]
     pub fn read() -> (Preferences, Vec<String>) {
         let Some(path) = ConfigFile::path() else { return Default::default() };
-        let (preferences, problems) = match fs::read_to_string(&path) {
+        let (preferences, problems) = match read_regular(&path).and_then(text) {
             Ok(text) => read(&text),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Default::default(),
             Err(error) => (Preferences::default(), vec![error.to_string()]),
@@ -94,7 +94,7 @@ impl Keeper for ConfigFile {
     fn keep(&mut self, preferences: &Preferences) -> Result<(), String> {
         let path = ConfigFile::path().ok_or("the environment names no home folder to keep settings in")?;
         let told = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-        let text = match fs::read_to_string(&path) {
+        let text = match read_regular(&path).and_then(text) {
             Ok(text) => text,
             Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(told(&error)),

@@ -1,13 +1,11 @@
 //! The storage that is a folder on disk.
 
-use super::write_safely;
+use super::write::{is_open_for_reading, is_special};
+use super::{read_regular, write_safely};
 use crate::machine::{Storage, StorageError, StorageProblem, check_name, sample_or_not_found};
 use std::fs;
 use std::io;
-use std::path::PathBuf;
-
-/// More than any data file can have; a larger file is refused before it fills the memory.
-pub const LARGEST_FILE: u64 = 64 * 1024 * 1024;
+use std::path::{Path, PathBuf};
 
 /// The files of one folder.
 #[derive(Clone, Debug)]
@@ -31,23 +29,23 @@ impl Storage for Folder {
         check_name(name)?;
         let Some(found) = self.find(name) else { return sample_or_not_found(name) };
         let path = self.path.join(found);
-        let size = fs::metadata(&path).map_err(|error| system(name, &error))?.len();
-        if size > LARGEST_FILE {
-            let message = format!("the file has {size} bytes; no data file has more than {LARGEST_FILE}");
-            return Err(StorageError { name: name.to_string(), problem: StorageProblem::System(message) });
-        }
-        fs::read(path).map_err(|error| system(name, &error))
+        read_regular(&path).map_err(|error| system(name, &error))
     }
 
     fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
         check_name(name)?;
         let stored = self.find(name).unwrap_or_else(|| name.to_string());
-        write_safely(&self.path.join(stored), content).map_err(|error| system(name, &error))
+        let path = self.path.join(stored);
+        if fs::metadata(&path).is_ok_and(|about| is_special(&about)) {
+            is_open_for_reading(&path).map_err(|error| system(name, &error))?;
+        }
+        write_safely(&path, content).map_err(|error| system(name, &error))
     }
 
     fn find(&self, name: &str) -> Option<String> {
         let exact = self.path.join(name);
-        if check_name(name).is_ok() && exact.is_file() {
+        let is_there = |path: &Path| path.exists() && !path.is_dir();
+        if check_name(name).is_ok() && is_there(&exact) {
             return Some(name.to_string());
         }
         let entries = fs::read_dir(&self.path).ok()?;
@@ -55,7 +53,7 @@ impl Storage for Folder {
         // Sorted, so that of two names that differ in case only the same one is found every time.
         let mut same: Vec<String> = names.filter(|known| known.eq_ignore_ascii_case(name)).collect();
         same.sort();
-        same.into_iter().find(|known| self.path.join(known).is_file())
+        same.into_iter().find(|known| is_there(&self.path.join(known)))
     }
 }
 

@@ -3,12 +3,14 @@
 
 mod config;
 mod folder;
+mod read;
 mod recovery;
 mod user_folder;
 mod write;
 
 pub use config::ConfigFile;
-pub use folder::{Folder, LARGEST_FILE};
+pub use folder::Folder;
+pub use read::{LARGEST_FILE, read_limited, read_regular, read_stream, text};
 pub use recovery::{Offers, RecoveryFolder};
 pub use user_folder::UserFolder;
 pub use write::write_safely;

@@ -1,27 +1,47 @@
 //! Writing files so that nothing is lost, whenever the machine stops.
 
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// What the names of temporary files begin and end with.
 const TEMPORARY: [&str; 2] = [".grafika-", ".tmp"];
-/// The age at which a temporary file has been left behind by a process that broke off.
+/// The age from which a temporary file that nobody holds locked is removed: its process locks it right after making it.
+const UNLOCKED: Duration = Duration::from_secs(1);
+/// The age from which a temporary file is removed where files cannot be locked.
 const STALE: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// Writes a file by way of a temporary one in the same folder, which is flushed and renamed, so that a
 /// crash leaves the old file or the new one, and a full disk leaves the old one. The file keeps its permissions, and
 /// a link stays a link: what it points to is replaced.
 ///
-/// What is there but is no ordinary file, a pipe or a device, is opened and written instead. A pipe waits for its
+/// What is there but is no regular file, a pipe or a device, is opened and written instead. A pipe waits for its
 /// reader.
 ///
 /// # Errors
 /// The system's error; the old file is whole then and the temporary one is gone.
 pub fn write_safely(path: &Path, content: &[u8]) -> io::Result<()> {
+    write(path, content, Access::Usual)
+}
+
+/// Like [`write_safely`]; a new file can be read by its user alone.
+pub(super) fn write_private(path: &Path, content: &[u8]) -> io::Result<()> {
+    write(path, content, Access::Private)
+}
+
+/// Who may read a new file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Access {
+    /// Those who may read any new file.
+    Usual,
+    /// The user alone.
+    Private,
+}
+
+fn write(path: &Path, content: &[u8], access: Access) -> io::Result<()> {
     let old = fs::metadata(path).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file() && !old.is_dir()) {
+    if old.as_ref().is_some_and(is_special) {
         let mut special = File::options().write(true).open(path)?;
         return special.write_all(content).and_then(|()| special.flush());
     }
@@ -35,15 +55,23 @@ pub fn write_safely(path: &Path, content: &[u8]) -> io::Result<()> {
     let mut options = File::options();
     options.write(true).create_new(true);
     #[cfg(unix)]
-    if let Some(permissions) = &permissions {
+    {
         // Nobody may read the new file, even half-written, who may not read the old one.
         use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
-        options.mode(permissions.mode());
+        let private = (access == Access::Private).then_some(0o600);
+        if let Some(mode) = permissions.as_ref().map(PermissionsExt::mode).or(private) {
+            options.mode(mode);
+        }
     }
+    #[cfg(not(unix))]
+    let _ = access;
     let mut naming = tempfile::Builder::new();
     naming.prefix(TEMPORARY[0]).suffix(TEMPORARY[1]);
     // Dropped, it is gone.
     let mut file = naming.make_in(folder, |path| options.open(path))?;
+    // The lock ends with the process, and tells others whether the file is still being written. Where there are no
+    // locks, its age tells.
+    let _ = file.as_file().try_lock();
     file.as_file_mut().write_all(content)?;
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
@@ -54,6 +82,31 @@ pub fn write_safely(path: &Path, content: &[u8]) -> io::Result<()> {
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }
+    Ok(())
+}
+
+/// Whether this is neither a file nor a folder: a pipe, a device, a socket.
+pub(super) fn is_special(about: &fs::Metadata) -> bool {
+    !about.is_file() && !about.is_dir()
+}
+
+/// Whether somebody is there to read what is written to a path that [is special](is_special): writing to a pipe without
+/// a reader waits for one.
+pub(super) fn is_open_for_reading(path: &Path) -> io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        // The flag has the same bits in either type.
+        let at_once = rustix::fs::OFlags::NONBLOCK.bits() as i32;
+        File::options().write(true).custom_flags(at_once).open(path).map_err(|error| {
+            match error.raw_os_error() == Some(rustix::io::Errno::NXIO.raw_os_error()) {
+                true => io::Error::other("this is a pipe, and nobody reads from it"),
+                false => error,
+            }
+        })?;
+    }
+    #[cfg(not(unix))]
+    let _ = path;
     Ok(())
 }
 
@@ -71,7 +124,7 @@ fn behind_links(path: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// Removes the temporary files of processes that broke off long ago.
+/// Removes the temporary files of processes that broke off.
 pub(super) fn clear_temporaries(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     let ours = |entry: &fs::DirEntry| {
@@ -79,11 +132,24 @@ pub(super) fn clear_temporaries(folder: &Path) {
         name.to_str().is_some_and(|name| name.starts_with(TEMPORARY[0]) && name.ends_with(TEMPORARY[1]))
     };
     for entry in entries.flatten().filter(ours) {
-        let stale = |about: fs::Metadata| about.is_file() && is_older(&about, STALE);
-        if entry.metadata().is_ok_and(stale) {
+        let abandoned = |about: fs::Metadata| {
+            about.is_file()
+                && is_older(&about, UNLOCKED)
+                && (is_older(&about, STALE) || !is_locked(&entry.path()).unwrap_or(true))
+        };
+        if entry.metadata().is_ok_and(abandoned) {
             // What cannot be removed is only untidy.
             let _ = fs::remove_file(entry.path());
         }
+    }
+}
+
+/// Whether a process holds a regular file locked.
+pub(super) fn is_locked(path: &Path) -> io::Result<bool> {
+    match File::open(path)?.try_lock() {
+        Ok(()) => Ok(false),
+        Err(TryLockError::WouldBlock) => Ok(true),
+        Err(TryLockError::Error(error)) => Err(error),
     }
 }
 
@@ -121,14 +187,20 @@ mod tests {
     }
 
     #[test]
-    fn temporary_files_that_were_left_behind_long_ago_go() {
+    fn temporary_files_that_nobody_writes_go() {
         let folder = scratch();
-        for (name, age) in [(".grafika-1-0.tmp", 100_000), (".grafika-x.tmp", 60), ("old.tmp", 100_000)] {
+        let make = |name: &str, age| {
             let file = File::create(folder.path().join(name)).unwrap();
             file.set_modified(SystemTime::now() - Duration::from_secs(age)).unwrap();
-        }
+            file
+        };
+        let held = make(".grafika-held.tmp", 60);
+        held.lock().unwrap();
+        make(".grafika-left.tmp", 60);
+        make(".grafika-new.tmp", 0);
+        make("old.tmp", 100_000);
         write_safely(&folder.path().join("a"), b"new").unwrap();
-        assert_eq!(names(folder.path()), [".grafika-x.tmp", "a", "old.tmp"]);
+        assert_eq!(names(folder.path()), [".grafika-held.tmp", ".grafika-new.tmp", "a", "old.tmp"]);
     }
 
     #[cfg(unix)]

@@ -1,14 +1,15 @@
 //! `grafika config`, and the user's preferences at a start.
 
-use super::Failure;
+use super::{Failure, say};
 use crate::disk::ConfigFile;
 use crate::machine::{Keeper, Preference, Preferences};
+use crate::screen::visible;
 use std::path::Path;
 
 /// The user's preferences; what is wrong with them goes to stderr.
 pub(super) fn preferences() -> Preferences {
     let (preferences, problems) = ConfigFile::read();
-    problems.iter().for_each(|problem| eprintln!("{problem}"));
+    problems.iter().for_each(|problem| say("grafika", problem));
     preferences
 }
 
@@ -39,5 +40,5 @@ pub fn configure(key: Option<&str>, chosen: Option<&str>) -> Result<String, Fail
         }
         ConfigFile.keep(&now).map_err(Failure::work)?;
     }
-    Ok(format!("{}\n", now.get(preference)))
+    Ok(format!("{}\n", visible(&now.get(preference))))
 }

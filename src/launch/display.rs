@@ -2,11 +2,12 @@
 
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
+use crate::disk::{read_limited, read_stream, text};
 #[cfg(feature = "window")]
 use crate::display::window;
 use crate::machine::{Manner, Recorder, Script, Session, play};
 use std::fs::File;
-use std::io::{IsTerminal, Read};
+use std::io::IsTerminal;
 use std::path::Path;
 
 /// Shows a session until it has ended.
@@ -60,12 +61,8 @@ fn recorder(path: &Path, name: &str, session: &Session, options: &RunOptions) ->
 
 fn run_script(session: &mut Session, path: &Path) -> Result<(), Failure> {
     let shown = path.display();
-    let text = if path == Path::new("-") {
-        let mut text = String::new();
-        std::io::stdin().read_to_string(&mut text).map(|_| text)
-    } else {
-        std::fs::read_to_string(path)
-    };
+    let read = if path == Path::new("-") { read_stream(std::io::stdin().lock()) } else { read_limited(path) };
+    let text = read.and_then(text);
     let text = text.map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
     let script = Script::parse(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
     play(session, &script, &mut Disk).map_err(|error| Failure::work(format!("{shown}: {error}")))
@@ -90,7 +87,7 @@ fn live(
     }
     #[cfg(feature = "terminal")]
     if wish != Some(DisplayKind::Window) {
-        return crate::display::terminal::run(session).map_err(Failure::work);
+        return Ok(crate::display::terminal::run(session)?);
     }
     let _ = (session, name, wish, options);
     Err(Failure::work("this build has no such display; play a script with --script FILE"))

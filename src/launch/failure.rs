@@ -1,5 +1,8 @@
 //! What ends a command: one line on stderr and an exit status.
 
+use super::{say, write_output};
+#[cfg(feature = "terminal")]
+use crate::display::terminal::TerminalError;
 use std::fmt;
 use std::process::ExitCode;
 
@@ -7,26 +10,52 @@ use std::process::ExitCode;
 #[derive(Debug)]
 pub struct Failure {
     status: u8,
-    message: String,
-    /// Help and version are no errors: they go to stdout, as they are.
-    is_answer: bool,
+    told: Told,
+}
+
+/// What a user is told in the end.
+#[derive(Debug)]
+enum Told {
+    /// What went wrong.
+    Problem(String),
+    /// Help or version, which is no error.
+    Answer(String),
+    /// Nothing: nobody reads it.
+    Nothing,
 }
 
 impl Failure {
     /// The work failed: exit status 1.
     pub fn work(message: impl fmt::Display) -> Failure {
-        Failure { status: 1, message: message.to_string(), is_answer: false }
+        Failure::with_status(1, message)
     }
 
     /// The command line or the script is wrong: exit status 2.
     pub fn usage(message: impl fmt::Display) -> Failure {
-        Failure { status: 2, message: message.to_string(), is_answer: false }
+        Failure::with_status(2, message)
+    }
+
+    /// A signal ended the work: exit status 128 and the signal's number, as shells have it.
+    pub fn signal(number: u8, message: impl fmt::Display) -> Failure {
+        Failure::with_status(128_u8.saturating_add(number), message)
+    }
+
+    /// Nobody reads on: the end of the command, but no error.
+    pub(super) fn unread() -> Failure {
+        Failure { status: 0, told: Told::Nothing }
+    }
+
+    fn with_status(status: u8, message: impl fmt::Display) -> Failure {
+        Failure { status, told: Told::Problem(message.to_string()) }
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
+        match &self.told {
+            Told::Problem(text) | Told::Answer(text) => f.write_str(text),
+            Told::Nothing => f.write_str("nobody reads the output"),
+        }
     }
 }
 
@@ -37,7 +66,7 @@ impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Failure {
         let text = error.to_string();
         if !error.use_stderr() {
-            return Failure { status: 0, message: text, is_answer: true };
+            return Failure { status: 0, told: Told::Answer(text) };
         }
         let lines = text.lines().map(str::trim);
         let said = lines.filter(|line| !line.is_empty() && !line.starts_with("For more information"));
@@ -46,14 +75,25 @@ impl From<clap::Error> for Failure {
     }
 }
 
-/// Says on stderr what went wrong, if anything, and gives the exit status.
-pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
-    let Err(failure) = result else { return ExitCode::SUCCESS };
-    if failure.is_answer {
-        println!("{}", failure.message.trim_end());
-    } else {
-        // On one line, even if a library's message has several.
-        eprintln!("{program}: {}", failure.message.split_whitespace().collect::<Vec<_>>().join(" "));
+#[cfg(feature = "terminal")]
+impl From<TerminalError> for Failure {
+    fn from(error: TerminalError) -> Failure {
+        match error {
+            TerminalError::Stopped(signal) => Failure::signal(signal, error),
+            error => Failure::work(error),
+        }
     }
-    ExitCode::from(failure.status)
+}
+
+/// Says what went wrong, if anything, and gives the exit status.
+pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
+    let Err(Failure { status, told }) = result else { return ExitCode::SUCCESS };
+    match told {
+        Told::Problem(text) => {
+            say(program, &text);
+            ExitCode::from(status)
+        }
+        Told::Answer(text) => exit(program, write_output(None, format!("{}\n", text.trim_end()).as_bytes())),
+        Told::Nothing => ExitCode::from(status),
+    }
 }

@@ -10,6 +10,7 @@ use crate::programs::telepit::installer::Installer;
 use crate::programs::telepit::job::{Answer, Job, Outcome, Step};
 use crate::programs::telepit::plan::{Plan, System};
 use crate::programs::telepit::{PROGRAM, place, texts};
+use crate::screen::visible;
 use crate::ui::{Group, Words};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -85,7 +86,7 @@ impl Install {
     #[cfg(feature = "terminal")]
     fn in_terminal(&self) -> Result<(), Failure> {
         let mut installer = self.installer();
-        crate::textmode::in_terminal(&mut installer).map_err(Failure::work)?;
+        crate::textmode::in_terminal(&mut installer)?;
         match installer.end() {
             End::Left | End::Installed => Ok(()),
             End::Cancelled => Err(Failure::work("cancelled")),
@@ -114,18 +115,18 @@ impl Install {
         let mut job = Job::new(folder, plan, self.yes.then_some(Answer::All));
         let bar = progress::bar("", job.progress().1);
         loop {
-            if signals.stopped() {
-                return Err(given_up(&mut job, "stopped by a signal"));
+            if let Some(signal) = signals.stop() {
+                return Err(Failure::signal(signal, given_up(&mut job, "stopped by a signal")));
             }
             match job.step().map_err(Failure::work)? {
                 Step::Asks(path) => match bar.aside(|| ask(&path, language)) {
                     Some(answer) => job.answer(answer),
                     None => {
                         let message = format!("{} is there already; --yes overwrites it", path.display());
-                        return Err(given_up(&mut job, &message));
+                        return Err(Failure::work(given_up(&mut job, &message)));
                     }
                 },
-                Step::Did(path, outcome) => tell(&bar, &path, outcome, language)?,
+                Step::Did(path, outcome) => tell(&bar, &path, outcome, language),
                 Step::Finished(report) => {
                     drop(bar);
                     let lines = texts::report(&report, job.root());
@@ -141,20 +142,20 @@ fn is_picture(display: DisplayKind) -> bool {
     display != DisplayKind::Terminal
 }
 
-fn tell(bar: &Bar, path: &Path, outcome: Outcome, language: Language) -> Result<(), Failure> {
+fn tell(bar: &Bar, path: &Path, outcome: Outcome, language: Language) {
     let what = match outcome {
         Outcome::Written => Words("kész", "written"),
         Outcome::Same => Words("már ott volt", "was there already"),
         Outcome::Kept => Words("a régi maradt", "stays the old one"),
     };
     bar.advance();
-    bar.line(&format!("{}: {}", path.display(), what.of(language)))
+    bar.line(&format!("{}: {}", path.display(), what.of(language)));
 }
 
-fn given_up(job: &mut Job, why: &str) -> Failure {
+fn given_up(job: &mut Job, why: &str) -> String {
     let left = texts::undone(&job.give_up());
     let left: Vec<&str> = left.iter().map(|line| line.of(Language::English)).collect();
-    Failure::work(format!("{why}; {}", left.join(", ")))
+    format!("{why}; {}", left.join(", "))
 }
 
 /// Asks whether a file is to be overwritten; `None` when nobody can be asked, or wishes to cancel.
@@ -167,8 +168,10 @@ fn ask(path: &Path, language: Language) -> Option<Answer> {
     let answers: Vec<String> = answers.collect();
     loop {
         let question = texts::OVERWRITE.of(language);
-        eprint!("{}: {question} [{}] ", path.display(), answers.join(" "));
-        let _ = std::io::stderr().flush();
+        let name = path.display().to_string();
+        let asked = format!("{}: {question} [{}] ", visible(&name), answers.join(" "));
+        // Who sees no question gives no answer either.
+        std::io::stderr().write_all(asked.as_bytes()).ok()?;
         let mut line = String::new();
         if stdin.lock().read_line(&mut line).ok()? == 0 {
             return None;
@@ -193,7 +196,7 @@ impl Signals {
         Signals
     }
 
-    fn stopped(&self) -> bool {
-        false
+    fn stop(&self) -> Option<u8> {
+        None
     }
 }

@@ -16,10 +16,10 @@ pub use config::configure;
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use install::Install;
-pub use open::{Opened, kind_of, open, open_as, read_stdin};
+pub use open::{Opened, kind_of, open, open_as};
 use open::{folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
-pub use outlet::write_output;
+pub use outlet::{say, write_output};
 
 use crate::file::Format;
 use crate::machine::{Language, SAMPLES, Session};

@@ -1,11 +1,10 @@
 //! Finding and reading the file that a command line names.
 
 use super::Failure;
-use crate::disk::{Folder, LARGEST_FILE};
+use crate::disk::{Folder, read_limited, read_stream};
 use crate::file::{Document, FileKind, Format};
-use crate::machine::Storage;
+use crate::machine::{Storage, StorageProblem};
 use crate::work::with_twin;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// A document and where it came from.
@@ -49,29 +48,45 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
 /// Opens a data file by its path, through the storage of its folder.
 pub(super) fn open_in(storage: &dyn Storage, path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
     let name = path.display().to_string();
+    if path.is_dir() {
+        return Err(Failure::work(format!("{name}: this is a folder, not a file")));
+    }
     let Some(file_name) = path.file_name().and_then(|name| name.to_str()) else {
         return Err(Failure::work(format!("{name:?} is not the name of a file")));
     };
     let folder = folder_of(path);
-    let bare = folder.as_os_str().is_empty();
-    if !bare && storage.find(file_name).is_none() {
-        return Err(Failure::work(format!("{name}: there is no such file")));
-    }
-    let content = storage.read(file_name).map_err(|error| match bare {
-        true => Failure::work(format!("{error}, neither in this folder nor among the built-in samples")),
-        false => Failure::work(format!("{}: {error}", folder.display())),
-    })?;
     let kind = from.map_or_else(|| kind_of(path), Ok)?;
+    let content = content_of(storage, path, file_name)?;
     let document =
         Document::decode(kind, &content).map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
     let document = with_twin(document, storage, file_name);
     Ok(Opened { name, file_name: file_name.to_string(), folder, document })
 }
 
+/// The content of the file at a path, through the storage of its folder, which knows names in any case and remembers
+/// what was read. What the user names is read even if it is a pipe or a device.
+fn content_of(storage: &dyn Storage, path: &Path, file_name: &str) -> Result<Vec<u8>, Failure> {
+    let failure = |problem: String| Failure::work(format!("{}: {problem}", path.display()));
+    if std::fs::metadata(path).is_ok_and(|about| !about.is_file()) {
+        return read_limited(path).map_err(|error| failure(error.to_string()));
+    }
+    let bare = folder_of(path).as_os_str().is_empty();
+    if !bare && storage.find(file_name).is_none() {
+        return Err(failure("there is no such file".to_owned()));
+    }
+    storage.read(file_name).map_err(|error| match &error.problem {
+        StorageProblem::NotFound => {
+            failure("there is no such file, neither in this folder nor among the built-in samples".to_owned())
+        }
+        StorageProblem::System(message) => failure(message.clone()),
+        StorageProblem::BadName(_) => Failure::work(error),
+    })
+}
+
 fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
     let kind = from.ok_or_else(|| Failure::usage("- has no extension: say what comes, as in --from ip2"))?;
     let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
-    let content = read_stdin().map_err(|error| failure(error.to_string()))?;
+    let content = read_stream(std::io::stdin().lock()).map_err(|error| failure(error.to_string()))?;
     let document = Document::decode(kind, &content).map_err(|problem| failure(problem.to_string()))?;
     Ok(Opened {
         name: "standard input".to_owned(),
@@ -79,19 +94,6 @@ fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
         folder: PathBuf::new(),
         document,
     })
-}
-
-/// All of standard input, up to the size of the largest data file.
-///
-/// # Errors
-/// The system's, or that there is more.
-pub fn read_stdin() -> std::io::Result<Vec<u8>> {
-    let mut content = Vec::new();
-    std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut content)?;
-    if content.len() as u64 > LARGEST_FILE {
-        return Err(std::io::Error::other(format!("it is longer than any data file ({LARGEST_FILE} bytes)")));
-    }
-    Ok(content)
 }
 
 /// The kind of a file by its name.

@@ -4,8 +4,8 @@ use super::Failure;
 use crate::disk::write_safely;
 use crate::figure::screen_png;
 use crate::machine::Outlet;
-use crate::screen::Screen;
-use std::io::Write;
+use crate::screen::{Screen, visible};
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 /// Writes a script's pictures and models to disk.
@@ -25,16 +25,28 @@ impl Outlet for Disk {
 /// Writes a command's output to a file, or to stdout without one or for `-`.
 ///
 /// # Errors
-/// [`Failure`] with the path and what the system says.
+/// [`Failure`] with the path and what the system says; one that ends the command quietly when nobody reads stdout any
+/// more.
 pub fn write_output(path: Option<&Path>, content: &[u8]) -> Result<(), Failure> {
     match path.filter(|path| *path != Path::new("-")) {
-        Some(path) => {
-            write_safely(path, content).map_err(|error| Failure::work(format!("{}: {error}", path.display())))
-        }
+        Some(path) => write_safely(path, content).map_err(|error| match error.kind() {
+            ErrorKind::BrokenPipe => Failure::unread(),
+            _ => Failure::work(format!("{}: {error}", path.display())),
+        }),
         None => {
             let mut stdout = std::io::stdout().lock();
             let written = stdout.write_all(content).and_then(|()| stdout.flush());
-            written.map_err(|error| Failure::work(format!("standard output: {error}")))
+            written.map_err(|error| match error.kind() {
+                ErrorKind::BrokenPipe => Failure::unread(),
+                _ => Failure::work(format!("standard output: {error}")),
+            })
         }
     }
+}
+
+/// Says something on stderr in one line: who says it, and what, with control characters escaped. Where nobody can be
+/// told, nothing else fails.
+pub fn say(who: &str, what: &str) {
+    let line = what.split_whitespace().collect::<Vec<_>>().join(" ");
+    let _ = std::io::stderr().write_all(format!("{who}: {}\n", visible(&line)).as_bytes());
 }

@@ -1,6 +1,7 @@
 //! Progress of long work on stderr, if that is a terminal.
 
-use super::{Failure, write_output};
+use super::write_output;
+use crate::screen::visible;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
@@ -37,12 +38,11 @@ impl Bar {
         self.0.inc(1);
     }
 
-    /// Writes a line to standard output, above the bar.
-    ///
-    /// # Errors
-    /// [`Failure`] with what the system says.
-    pub fn line(&self, text: &str) -> Result<(), Failure> {
-        self.0.suspend(|| write_output(None, format!("{text}\n").as_bytes()))
+    /// Writes a line to standard output, above the bar. A line that cannot be written does not stop the work.
+    pub fn line(&self, text: &str) {
+        self.0.suspend(|| {
+            let _ = write_output(None, format!("{}\n", visible(text)).as_bytes());
+        });
     }
 
     /// Does something that needs the terminal to itself.

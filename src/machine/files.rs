@@ -4,6 +4,7 @@
 use super::storage::{Storage, StorageError};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hasher};
 
 /// What is known about a name before something is written under it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +23,22 @@ pub enum Standing {
 pub struct Files {
     place: Box<dyn Storage>,
     /// What the program read or wrote last, by the name in lower case.
-    seen: RefCell<BTreeMap<String, Vec<u8>>>,
+    seen: RefCell<BTreeMap<String, Digest>>,
+}
+
+/// What is remembered of a content: films are too large to be kept.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Digest {
+    length: usize,
+    hash: u64,
+}
+
+impl Digest {
+    fn of(content: &[u8]) -> Digest {
+        let mut hasher = DefaultHasher::new();
+        hasher.write(content);
+        Digest { length: content.len(), hash: hasher.finish() }
+    }
 }
 
 impl Files {
@@ -37,13 +53,13 @@ impl Files {
         }
         let content = self.place.read(name).ok();
         match self.seen.borrow().get(&name.to_ascii_lowercase()) {
-            Some(seen) if content.as_ref() != Some(seen) => Standing::Changed(content),
+            Some(&seen) if content.as_deref().map(Digest::of) != Some(seen) => Standing::Changed(content),
             _ => Standing::There(content),
         }
     }
 
     fn remember(&self, name: &str, content: &[u8]) {
-        self.seen.borrow_mut().insert(name.to_ascii_lowercase(), content.to_vec());
+        self.seen.borrow_mut().insert(name.to_ascii_lowercase(), Digest::of(content));
     }
 }
 

@@ -174,7 +174,8 @@ impl Screen {
         if x <= -SIZE || x >= WIDTH || y <= -SIZE || y >= HEIGHT {
             return;
         }
-        let rows = glyph(ch).unwrap_or(UNKNOWN);
+        let known = glyph(ch);
+        let rows = known.unwrap_or(UNKNOWN);
         for (row, bits) in (y..).zip(rows) {
             for (column, bit) in (x..).zip([0x80, 0x40, 0x20, 0x10, 8, 4, 2, 1]) {
                 if bits & bit != 0 {
@@ -183,7 +184,8 @@ impl Screen {
             }
         }
         let whole = (0..=WIDTH - SIZE).contains(&x) && (0..=HEIGHT - SIZE).contains(&y);
-        if whole && rows != [0; 8] {
+        // A box is no text; a terminal might obey the character that it stands for, or give it two cells.
+        if whole && known.is_some() && rows != [0; 8] && !ch.is_control() {
             self.journal.letters.insert((y, x), (ch, color));
             if self.journal.letters.len() > JOURNAL_LIMIT {
                 self.prune();

@@ -25,6 +25,7 @@ mod palette;
 mod pointer;
 mod polygon;
 mod title;
+mod visible;
 
 pub use bitmap::{Bitmap, Put};
 pub use color::Color;
@@ -33,6 +34,7 @@ pub use line::{Pattern, Stroke, Width};
 pub use palette::Palette;
 pub use pointer::Masks;
 pub use title::{Direction, title_size};
+pub use visible::visible;
 
 use std::fmt;
 

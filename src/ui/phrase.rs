@@ -1,6 +1,7 @@
 //! What a text on the screen is: the same in Hungarian and in English, with a hot letter or without.
 
 use crate::machine::Language;
+use crate::screen::visible;
 use std::borrow::Cow;
 
 /// A fixed text in Hungarian and in English.
@@ -25,9 +26,14 @@ pub struct Phrase {
 }
 
 impl Phrase {
-    /// A phrase of its two texts.
+    /// A phrase of its two texts. Control characters, which names and files may bring into a text, are shown as
+    /// escapes; ends of lines stay.
     pub fn new(hungarian: impl Into<Cow<'static, str>>, english: impl Into<Cow<'static, str>>) -> Phrase {
-        Phrase { hungarian: hungarian.into(), english: english.into() }
+        let shown = |text: Cow<'static, str>| match text {
+            Cow::Owned(text) => Cow::Owned(text.split('\n').map(visible).collect::<Vec<_>>().join("\n")),
+            fixed => fixed,
+        };
+        Phrase { hungarian: shown(hungarian.into()), english: shown(english.into()) }
     }
 
     /// What has one text for both languages: an error of the library, which speaks English.

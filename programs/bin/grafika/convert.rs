@@ -4,7 +4,7 @@ use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use clap::Args;
 use grafika::design::{self, NetDesign};
 use grafika::file::{Document, FileKind, Format, Method, PlanePoints};
-use grafika::launch::{Failure, Opened, write_output};
+use grafika::launch::{Failure, Opened, say, write_output};
 use grafika::machine::Language;
 use grafika::work;
 use std::path::{Path, PathBuf};
@@ -66,7 +66,7 @@ impl Convert {
         }
         if !lost.is_empty() {
             let target = if is_stream(&self.output) { "standard output".to_owned() } else { output };
-            eprintln!("grafika: {target} has no place for: {}", lost.join(", "));
+            say("grafika", &format!("{target} has no place for: {}", lost.join(", ")));
         }
         Ok(())
     }

@@ -15,6 +15,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use grafika::launch::{Failure, Install, Options, RunOptions, exit, write_output};
 use grafika::programs::{self, ALL};
+use grafika::screen::visible;
 #[cfg(feature = "terminal")]
 use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_terminal};
 use source::Source;
@@ -99,8 +100,9 @@ fn run() -> Result<(), Failure> {
         Some(Command::Open(options)) => open_with_program(&options),
         Some(Command::Info(source)) => {
             let opened = source.open()?;
-            let lines = opened.document.describe().join("\n");
-            write_output(None, format!("{lines}\n").as_bytes())
+            let lines = opened.document.describe();
+            let text: String = lines.iter().map(|line| format!("{}\n", visible(line))).collect();
+            write_output(None, text.as_bytes())
         }
         Some(Command::Sample(sample)) => sample.run(),
         Some(Command::Render(render)) => render.run(),
@@ -130,7 +132,7 @@ fn show_menu(options: &RunOptions) -> Result<(), Failure> {
 fn show_text_menu(options: &RunOptions) -> Result<(), Failure> {
     let mut menu = TextMenu::new(options.language());
     loop {
-        in_terminal(&mut menu).map_err(Failure::work)?;
+        in_terminal(&mut menu)?;
         let Some(program) = menu.take_started() else { return Ok(()) };
         let mut options = options.in_language(menu.language());
         options.display = Some(DisplayKind::Terminal);

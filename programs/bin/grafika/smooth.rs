@@ -4,7 +4,7 @@ use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{DENSITY, GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
-use grafika::launch::{Failure, open_as, progress, write_output};
+use grafika::launch::{Failure, open_as, progress, say, write_output};
 use std::path::PathBuf;
 
 /// The command line of `grafika smooth`.
@@ -81,7 +81,7 @@ impl Smooth {
         let line = format!("{}: {}", opened.name, told(residuals));
         match to_stdout {
             // The points have standard output to themselves.
-            true => eprintln!("{line}"),
+            true => say("grafika", &line),
             false => write_output(None, format!("{line}\n").as_bytes())?,
         }
         Ok(())

@@ -2,8 +2,9 @@
 
 use crate::source::InputFormat;
 use clap::Args;
+use grafika::disk::read_stream;
 use grafika::file::{CsangoCube, Document};
-use grafika::launch::{Failure, open_as, progress, read_stdin, write_output};
+use grafika::launch::{Failure, open_as, progress, write_output};
 use grafika::puzzle::cube::{Count, PIECES, Progress, Rules, Search as Filling, Way, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use std::path::Path;
@@ -50,7 +51,7 @@ impl Solve {
         let from = self.from.from;
         if self.puzzle == "-" && from.is_none() {
             let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
-            let text = read_stdin().map_err(|error| failure(error.to_string()))?;
+            let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(error.to_string()))?;
             let text = String::from_utf8(text).map_err(|_| failure("the text is not UTF-8".to_owned()))?;
             return self.text(text.trim());
         }

@@ -25,6 +25,10 @@ pub(crate) struct InputFormat {
 impl Source {
     /// Reads the file or standard input.
     pub(crate) fn open(&self) -> Result<Opened, Failure> {
+        let known = self.from.from.is_some() || is_stream(&self.file) || self.file.is_dir();
+        if let (false, Err(failure)) = (known, kind_of(&self.file)) {
+            return Err(Failure::work(format!("{failure}; --from says what else it holds")));
+        }
         open_as(&self.file, self.from.from)
     }
 }
@@ -41,7 +45,7 @@ pub(crate) fn output_kind(path: &Path, said: Option<FileKind>) -> Result<FileKin
         None if is_stream(path) => {
             Err(Failure::usage("- has no extension: say what to write, as in --to json"))
         }
-        None => kind_of(path),
+        None => kind_of(path).map_err(|failure| Failure::work(format!("{failure}; --to says what to write"))),
     }
 }
 

@@ -1,7 +1,7 @@
 //! A file of unsaved work and the lock beside it.
 
-use super::super::write::{clear_temporaries, is_older};
-use super::super::{LARGEST_FILE, write_safely};
+use super::super::read_regular;
+use super::super::write::{clear_temporaries, is_locked, is_older, write_private};
 use crate::machine::Work;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -68,6 +68,10 @@ impl Place {
     /// The place of a file that a session has left behind; `None` if its session still runs.
     pub(super) fn taken_over(work: PathBuf) -> io::Result<Option<Place>> {
         let lock = work.with_extension(LOCK.trim_start_matches('.'));
+        if fs::metadata(&lock).is_ok_and(|about| !about.is_file()) {
+            // Opening a pipe would wait for its other end.
+            return Err(io::Error::other(format!("{} is no regular file", lock.display())));
+        }
         let held = File::options().read(true).write(true).create(true).truncate(false).open(&lock)?;
         match held.try_lock() {
             Ok(()) => Ok(Some(Place { work, lock, _held: held })),
@@ -78,12 +82,8 @@ impl Place {
 
     /// The work in the file; `None` if the file is gone.
     pub(super) fn read(&self, program: &str) -> Result<Option<Work>, String> {
-        let content = match fs::metadata(&self.work).and_then(|about| match about.len() {
-            ..=LARGEST_FILE => fs::read(&self.work).map(Ok),
-            size => Ok(Err(size)),
-        }) {
-            Ok(Ok(content)) => content,
-            Ok(Err(size)) => return Err(format!("it has {size} bytes; no unsaved work has so many")),
+        let content = match read_regular(&self.work) {
+            Ok(content) => content,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
             Err(error) => return Err(error.to_string()),
         };
@@ -103,7 +103,7 @@ impl Place {
     pub(super) fn write(&self, work: &Work) -> io::Result<()> {
         let head = Head { unsaved_work_of: work.program.clone(), version: VERSION, file: work.file.clone() };
         let head = serde_json::to_string(&head)?;
-        write_safely(&self.work, format!("{head}\n{}", work.content).as_bytes())
+        write_private(&self.work, format!("{head}\n{}", work.content).as_bytes())
     }
 
     /// Removes the work and then its lock.
@@ -143,10 +143,10 @@ pub(super) fn clear_leftovers(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     let is_lock = |path: &PathBuf| path.extension().is_some_and(|it| it == LOCK.trim_start_matches('.'));
     for path in entries.flatten().map(|entry| entry.path()).filter(is_lock) {
-        let old = fs::metadata(&path).is_ok_and(|about| is_older(&about, LEFTOVER));
+        // What is no regular file might be waited for without end.
+        let old = fs::metadata(&path).is_ok_and(|about| about.is_file() && is_older(&about, LEFTOVER));
         let lonely = !path.with_extension(WORK.trim_start_matches('.')).exists();
-        let unlocked = || File::open(&path).is_ok_and(|file| file.try_lock().is_ok());
-        if old && lonely && unlocked() {
+        if old && lonely && is_locked(&path).is_ok_and(|locked| !locked) {
             let _ = fs::remove_file(&path);
         }
     }

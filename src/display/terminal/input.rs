@@ -57,12 +57,21 @@ const STRIDE: i32 = 8;
 pub(super) struct Input {
     /// Whether the mouse is told in pixels.
     pixel_mouse: bool,
-    held: [bool; 3],
+    held: [Option<By>; 3],
 }
+
+/// What holds a button down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum By {
+    Mouse,
+    Keyboard,
+}
+
+const BUTTONS: [Button; 3] = [Button::Left, Button::Right, Button::Middle];
 
 impl Input {
     pub(super) fn new(pixel_mouse: bool) -> Input {
-        Input { pixel_mouse, held: [false; 3] }
+        Input { pixel_mouse, held: [None; 3] }
     }
 
     /// What a key means; `at` is where the mouse is.
@@ -116,22 +125,34 @@ impl Input {
     }
 
     fn toggle(&mut self, button: Button) -> Option<Event> {
-        self.button(button, !self.held[button as usize])
+        let held = &mut self.held[button as usize];
+        *held = if held.is_some() { None } else { Some(By::Keyboard) };
+        Some(if held.is_some() { Event::Press(button) } else { Event::Release(button) })
     }
 
-    /// A press and its release always come in pairs, whatever the terminal leaves out.
-    fn button(&mut self, button: Button, down: bool) -> Option<Event> {
-        let before = std::mem::replace(&mut self.held[button as usize], down);
-        (before != down).then_some(if down { Event::Press(button) } else { Event::Release(button) })
+    /// A press and its release always come in pairs, whatever the terminal leaves out: a second press ends the first.
+    fn button(&mut self, button: Button, down: bool) -> Vec<Event> {
+        let before = std::mem::replace(&mut self.held[button as usize], down.then_some(By::Mouse));
+        let release = before.map(|_| Event::Release(button));
+        release.into_iter().chain(down.then_some(Event::Press(button))).collect()
+    }
+
+    /// Lets go of the buttons that a mouse holds, whose release was lost.
+    fn lost_releases(&mut self) -> Vec<Event> {
+        let held = BUTTONS.into_iter().filter(|&button| self.held[button as usize] == Some(By::Mouse));
+        let events: Vec<Event> = held.map(Event::Release).collect();
+        self.held = self.held.map(|by| by.filter(|&by| by != By::Mouse));
+        events
+    }
+
+    /// Lets go of every button.
+    pub(super) fn let_go(&mut self) -> impl Iterator<Item = Event> + use<> {
+        let held = std::mem::take(&mut self.held);
+        BUTTONS.into_iter().filter(move |&button| held[button as usize].is_some()).map(Event::Release)
     }
 
     /// Where the mouse is, and what it did there.
-    pub(super) fn mouse(
-        &mut self,
-        event: MouseEvent,
-        place: Place,
-        extent: Extent,
-    ) -> (Event, Option<Event>) {
+    pub(super) fn mouse(&mut self, event: MouseEvent, place: Place, extent: Extent) -> (Event, Vec<Event>) {
         let (x, y) = (f64::from(event.column), f64::from(event.row));
         let (column, row) = match extent.cell.filter(|_| self.pixel_mouse) {
             Some((width, height)) => (x / f64::from(width), y / f64::from(height)),
@@ -141,9 +162,11 @@ impl Input {
         let what = match event.kind {
             MouseEventKind::Down(which) => self.button(button(which), true),
             MouseEventKind::Up(which) => self.button(button(which), false),
-            MouseEventKind::ScrollUp => Some(Event::Wheel(1)),
-            MouseEventKind::ScrollDown => Some(Event::Wheel(-1)),
-            _ => None,
+            MouseEventKind::ScrollUp => vec![Event::Wheel(1)],
+            MouseEventKind::ScrollDown => vec![Event::Wheel(-1)],
+            // Without a button; a drag has its button.
+            MouseEventKind::Moved => self.lost_releases(),
+            _ => Vec::new(),
         };
         (Event::Move(x, y), what)
     }
@@ -241,10 +264,32 @@ mod tests {
         };
         let mut input = Input::default();
         let told = input.mouse(press, place, extent);
-        assert_eq!(told, (Event::Move(84, 88), Some(Event::Press(Button::Left))));
+        assert_eq!(told, (Event::Move(84, 88), vec![Event::Press(Button::Left)]));
         let mut input = Input::new(true);
         let told = input.mouse(MouseEvent { column: 105, row: 110, ..press }, place, extent);
         assert_eq!(told.0, Event::Move(84, 88));
-        assert_eq!(input.mouse(press, place, extent).1, None);
+    }
+
+    #[test]
+    fn a_lost_release_leaves_no_button_held() {
+        let extent = Extent { columns: 80, rows: 30, cell: None };
+        let place = Place::of_blocks(extent).unwrap();
+        let mut input = Input::default();
+        let mut mouse = |kind| {
+            let event = MouseEvent { kind, column: 10, row: 5, modifiers: KeyModifiers::NONE };
+            input.mouse(event, place, extent).1
+        };
+        let (press, release) = (Event::Press(Button::Left), Event::Release(Button::Left));
+        assert_eq!(mouse(MouseEventKind::Down(MouseButton::Left)), [press]);
+        assert_eq!(mouse(MouseEventKind::Drag(MouseButton::Left)), []);
+        assert_eq!(mouse(MouseEventKind::Down(MouseButton::Left)), [release, press]);
+        assert_eq!(mouse(MouseEventKind::Moved), [release]);
+        assert_eq!(mouse(MouseEventKind::Up(MouseButton::Left)), []);
+        // What the keyboard holds, the mouse moves.
+        assert_eq!(key(&mut input, KeyCode::Char(' '), KeyModifiers::CONTROL), Some(press));
+        let event =
+            MouseEvent { kind: MouseEventKind::Moved, column: 1, row: 1, modifiers: KeyModifiers::NONE };
+        assert_eq!(input.mouse(event, place, extent).1, []);
+        assert_eq!(input.let_go().collect::<Vec<_>>(), [release]);
     }
 }

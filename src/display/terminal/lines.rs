@@ -2,7 +2,7 @@
 
 use super::TerminalError;
 use super::input::plain;
-use super::tty::Tty;
+use super::tty::{Told, Tty};
 use crate::machine::Key;
 use crossterm::event::{Event, KeyCode, KeyEventKind, KeyModifiers, MouseButton, MouseEventKind};
 use ratatui::backend::CrosstermBackend;
@@ -53,8 +53,12 @@ impl Lines {
     ///
     /// # Errors
     /// [`TerminalError`] when the terminal is lost or a signal ends the process.
-    pub fn events(&self, longest: Duration) -> Result<Vec<LineEvent>, TerminalError> {
-        Ok(self.tty.events(longest)?.into_iter().filter_map(told).collect())
+    pub fn events(&mut self, longest: Duration) -> Result<Vec<LineEvent>, TerminalError> {
+        let Told { events, paused } = self.tty.events(longest)?;
+        if paused {
+            self.screen.clear()?;
+        }
+        Ok(events.into_iter().filter_map(told).collect())
     }
 }
 

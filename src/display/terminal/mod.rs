@@ -21,13 +21,13 @@ use super::clock::Clock;
 use crate::machine::{Event, Language, Session};
 use crate::screen::{Palette, Screen};
 use blocks::{Cell, Depth};
-use crossterm::event::Event as Told;
+use crossterm::event::Event as TerminalEvent;
 use graphics::Part;
 use input::Input;
 use place::{Extent, LEAST, Place};
 use std::io;
 use std::time::{Duration, Instant};
-use tty::Tty;
+use tty::{Told, Tty};
 
 /// What can go wrong with a terminal.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -41,8 +41,8 @@ pub enum TerminalError {
     #[error("the terminal is lost: {0}")]
     Lost(String),
     /// The process was asked to end by a signal.
-    #[error("the program was stopped by a signal")]
-    Stopped,
+    #[error("the program was stopped by signal {0}")]
+    Stopped(u8),
 }
 
 impl From<io::Error> for TerminalError {
@@ -64,8 +64,11 @@ pub fn run(session: &mut Session) -> Result<(), TerminalError> {
     let mut view = View::new(&tty)?;
     while !session.ended() {
         let due = view.step(session)?;
-        let told = tty.events(view.sleep(due))?;
-        let (events, now) = (view.events(session, told)?, view.now());
+        let Told { events, paused } = tty.events(view.sleep(due))?;
+        if paused {
+            view.resume(session)?;
+        }
+        let (events, now) = (view.events(session, events)?, view.now());
         events.into_iter().for_each(|event| session.send(event, now));
     }
     Ok(())
@@ -174,13 +177,13 @@ impl<'t> View<'t> {
     }
 
     /// What the terminal told, as events of the program.
-    fn events(&mut self, session: &Session, told: Vec<Told>) -> Result<Vec<Event>, TerminalError> {
+    fn events(&mut self, session: &Session, told: Vec<TerminalEvent>) -> Result<Vec<Event>, TerminalError> {
         let mut events: Vec<Event> = Vec::new();
         let mut at = (session.mouse().x, session.mouse().y);
         for told in told {
             match told {
-                Told::Key(key) => events.extend(self.input.key(key, at, session.pointer_speed())),
-                Told::Mouse(mouse) => {
+                TerminalEvent::Key(key) => events.extend(self.input.key(key, at, session.pointer_speed())),
+                TerminalEvent::Mouse(mouse) => {
                     if let Some(place) = self.style.place() {
                         let (moved, what) = self.input.mouse(mouse, place, self.extent);
                         if moved != Event::Move(at.0, at.1) {
@@ -189,7 +192,7 @@ impl<'t> View<'t> {
                         events.extend(what);
                     }
                 }
-                Told::Resize(..) => self.resize()?,
+                TerminalEvent::Resize(..) => self.resize()?,
                 _ => {}
             }
             if let Some(&Event::Move(x, y)) = events.iter().rfind(|event| matches!(event, Event::Move(..))) {
@@ -201,6 +204,15 @@ impl<'t> View<'t> {
             events.retain(|event| *event == Event::Close);
         }
         Ok(only_last_moves(&events))
+    }
+
+    /// Goes on after a pause in which others have used the terminal.
+    fn resume(&mut self, session: &mut Session) -> Result<(), TerminalError> {
+        self.resize()?;
+        self.redraw = true;
+        let now = self.now();
+        self.input.let_go().for_each(|event| session.send(event, now));
+        Ok(())
     }
 
     fn resize(&mut self) -> Result<(), TerminalError> {

@@ -12,7 +12,7 @@ use crossterm::terminal::{self, EnterAlternateScreen, LeaveAlternateScreen};
 use crossterm::{cursor, execute, queue};
 use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
 /// How long a terminal may take to answer; any that answers at all takes far less, but for a slow line.
@@ -31,30 +31,87 @@ pub(super) struct Tty {
     signals: Signals,
 }
 
-/// Has the wish to end the process noted instead of carried out, until it is dropped: so that the terminal, or
-/// whatever else is under way, can be put in order.
+/// Has the wish to end or to pause the process noted instead of carried out, until it is dropped: so that the terminal,
+/// or whatever else is under way, can be put in order.
 #[derive(Debug)]
 pub struct Signals {
-    /// Set when the process is asked to end.
-    stop: Arc<AtomicBool>,
+    /// The number of the signal that asked the process to end; 0 without one.
+    end: Arc<AtomicUsize>,
+    /// Set when the process is asked to pause.
+    pause: Arc<AtomicBool>,
+    /// Set when the process goes on after a pause, even one that nobody announced.
+    resumed: Arc<AtomicBool>,
     #[cfg(unix)]
     watched: Vec<signal_hook::SigId>,
 }
 
 impl Signals {
-    /// Watches from now on. Where there are no signals, none come.
+    /// Watches for wishes to end. Where there are no signals, none come.
     pub fn watch() -> Signals {
-        let stop = Arc::new(AtomicBool::new(false));
-        Signals {
+        let mut signals = Signals {
+            end: Arc::default(),
+            pause: Arc::default(),
+            resumed: Arc::default(),
             #[cfg(unix)]
-            watched: watch(&stop),
-            stop,
-        }
+            watched: Vec::new(),
+        };
+        signals.watch_ends();
+        signals
     }
 
-    /// Whether the process has been asked to end.
-    pub fn stopped(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
+    /// Watches for pauses, too.
+    pub(super) fn watch_all() -> Signals {
+        let mut signals = Signals::watch();
+        signals.watch_pauses();
+        signals
+    }
+
+    #[cfg(unix)]
+    fn watch_ends(&mut self) {
+        use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
+        // Their numbers are small and positive.
+        let note =
+            |signal| signal_hook::flag::register_usize(signal, Arc::clone(&self.end), signal as usize).ok();
+        self.watched.extend([SIGHUP, SIGINT, SIGQUIT, SIGTERM].into_iter().filter_map(note));
+    }
+
+    #[cfg(unix)]
+    fn watch_pauses(&mut self) {
+        use signal_hook::consts::{SIGCONT, SIGTSTP};
+        let flags = [(SIGTSTP, &self.pause), (SIGCONT, &self.resumed)];
+        let note = |(signal, flag)| signal_hook::flag::register(signal, Arc::clone(flag)).ok();
+        self.watched.extend(flags.into_iter().filter_map(note));
+    }
+
+    #[cfg(not(unix))]
+    fn watch_ends(&mut self) {}
+
+    #[cfg(not(unix))]
+    fn watch_pauses(&mut self) {}
+
+    /// The number of the signal by which the process has been asked to end.
+    pub fn stop(&self) -> Option<u8> {
+        u8::try_from(self.end.load(Ordering::Relaxed)).ok().filter(|&signal| signal > 0)
+    }
+
+    /// Pauses the process if it was asked to, between giving the terminal back and taking it again. Whether the
+    /// terminal was taken again, because the process goes on after a pause.
+    fn pass_pause(
+        &self,
+        give_back: impl FnOnce(),
+        take: impl FnOnce() -> io::Result<()>,
+    ) -> io::Result<bool> {
+        if self.pause.swap(false, Ordering::Relaxed) {
+            give_back();
+            #[cfg(unix)]
+            signal_hook::low_level::emulate_default_handler(signal_hook::consts::SIGTSTP)?;
+            self.resumed.store(true, Ordering::Relaxed);
+        }
+        let resumed = self.resumed.swap(false, Ordering::Relaxed);
+        if resumed {
+            take()?;
+        }
+        Ok(resumed)
     }
 }
 
@@ -65,6 +122,13 @@ impl Drop for Signals {
             signal_hook::low_level::unregister(signal);
         }
     }
+}
+
+/// What the terminal told.
+pub(super) struct Told {
+    pub(super) events: Vec<Event>,
+    /// Whether the process had paused, so that nothing is known of what the terminal shows and of buttons that were down.
+    pub(super) paused: bool,
 }
 
 impl Tty {
@@ -82,21 +146,57 @@ impl Tty {
         if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
             return Err(TerminalError::NoTerminal);
         }
-        let mut tty = Tty { signals: Signals::watch(), answers: Answers::default() };
+        let mut tty = Tty { signals: Signals::watch_all(), answers: Answers::default() };
         // From here on every way out passes the drop, which undoes more than may have been done.
-        terminal::enable_raw_mode()?;
-        execute!(io::stdout(), EnterAlternateScreen, cursor::Hide)?;
+        tty.take_screen()?;
         tty.answers = ask()?;
+        tty.take_input()?;
+        Ok(tty)
+    }
+
+    fn take_screen(&self) -> io::Result<()> {
+        terminal::enable_raw_mode()?;
+        execute!(io::stdout(), EnterAlternateScreen, cursor::Hide)
+    }
+
+    fn take_input(&self) -> io::Result<()> {
         queue!(io::stdout(), terminal::DisableLineWrap, EnableMouseCapture)?;
-        if tty.answers.pixel_mouse {
+        if self.answers.pixel_mouse {
             io::stdout().write_all(PIXEL_MOUSE[0])?;
         }
-        if tty.answers.clear_keys {
+        if self.answers.clear_keys {
             let flags = KeyboardEnhancementFlags::DISAMBIGUATE_ESCAPE_CODES;
             queue!(io::stdout(), PushKeyboardEnhancementFlags(flags))?;
         }
-        execute!(io::stdout(), terminal::Clear(terminal::ClearType::All))?;
-        Ok(tty)
+        execute!(io::stdout(), terminal::Clear(terminal::ClearType::All))
+    }
+
+    /// Leaves the terminal as it was before.
+    fn give_back(&self) {
+        let mut out = io::stdout();
+        // Each step is worth trying when another one fails, and nobody is left to be told.
+        if self.answers.kitty {
+            let _ = out.write_all(graphics::kitty_delete().as_bytes());
+        }
+        if self.answers.clear_keys {
+            let _ = queue!(out, PopKeyboardEnhancementFlags);
+        }
+        if self.answers.pixel_mouse {
+            let _ = out.write_all(PIXEL_MOUSE[1]);
+        }
+        let _ = out.write_all(TOGETHER[1]);
+        let _ =
+            queue!(out, DisableMouseCapture, terminal::EnableLineWrap, LeaveAlternateScreen, cursor::Show);
+        let _ = out.flush();
+        let _ = terminal::disable_raw_mode();
+    }
+
+    /// Takes the terminal again, whatever has used it in the meantime.
+    fn take_again(&self) -> io::Result<()> {
+        // A shell has set modes of its own; the library would take the terminal to be in its modes still.
+        let _ = terminal::disable_raw_mode();
+        self.take_screen()?;
+        self.take_input()
     }
 
     /// The terminal's size.
@@ -116,47 +216,28 @@ impl Tty {
     }
 
     /// What happened, at the latest after `longest` (then often nothing).
-    pub(super) fn events(&self, longest: Duration) -> Result<Vec<Event>, TerminalError> {
+    pub(super) fn events(&self, longest: Duration) -> Result<Told, TerminalError> {
         let mut events = Vec::new();
         // What has been read already would not wake anybody.
         let mut pause = if crossterm::event::poll(Duration::ZERO)? { Duration::ZERO } else { wait(longest)? };
-        if self.signals.stopped() {
-            return Err(TerminalError::Stopped);
+        if let Some(signal) = self.signals.stop() {
+            // A terminal that goes away sends a signal, too.
+            wait(Duration::ZERO)?;
+            return Err(TerminalError::Stopped(signal));
         }
+        let paused = self.signals.pass_pause(|| self.give_back(), || self.take_again())?;
         while crossterm::event::poll(pause)? {
             events.push(crossterm::event::read()?);
             pause = Duration::ZERO;
         }
-        Ok(events)
+        Ok(Told { events, paused })
     }
 }
 
 impl Drop for Tty {
     fn drop(&mut self) {
-        let mut out = io::stdout();
-        // Each step is worth trying when another one fails, and nobody is left to be told.
-        if self.answers.kitty {
-            let _ = out.write_all(graphics::kitty_delete().as_bytes());
-        }
-        if self.answers.clear_keys {
-            let _ = queue!(out, PopKeyboardEnhancementFlags);
-        }
-        if self.answers.pixel_mouse {
-            let _ = out.write_all(PIXEL_MOUSE[1]);
-        }
-        let _ = out.write_all(TOGETHER[1]);
-        let _ =
-            queue!(out, DisableMouseCapture, terminal::EnableLineWrap, LeaveAlternateScreen, cursor::Show);
-        let _ = out.flush();
-        let _ = terminal::disable_raw_mode();
+        self.give_back();
     }
-}
-
-#[cfg(unix)]
-fn watch(stop: &Arc<AtomicBool>) -> Vec<signal_hook::SigId> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-    let note = |signal| signal_hook::flag::register(signal, Arc::clone(stop)).ok();
-    [SIGHUP, SIGINT, SIGTERM].into_iter().filter_map(note).collect()
 }
 
 /// Waits for input, a signal or the end of a time. Gives the time that is left to wait for the library's

@@ -239,10 +239,20 @@ impl<'s> View<'s> {
     }
 
     fn button(&mut self, button: Button, state: ElementState) {
+        // A press and its release always come in pairs, whatever the desktop leaves out: a second press ends the first.
         let down = state == ElementState::Pressed;
-        // A press and its release always come in pairs, whatever the desktop leaves out.
-        if std::mem::replace(&mut self.held[button as usize], down) != down {
-            self.send(if down { Event::Press(button) } else { Event::Release(button) });
+        if std::mem::replace(&mut self.held[button as usize], down) {
+            self.send(Event::Release(button));
+        }
+        if down {
+            self.send(Event::Press(button));
+        }
+    }
+
+    /// Lets go of every button: their releases may go to another window.
+    fn let_go(&mut self) {
+        for button in [Button::Left, Button::Right, Button::Middle] {
+            self.button(button, ElementState::Released);
         }
     }
 
@@ -285,6 +295,7 @@ impl<'s> View<'s> {
     fn event(&mut self, event: WindowEvent) {
         match event {
             WindowEvent::CloseRequested => self.send(Event::Close),
+            WindowEvent::Focused(false) | WindowEvent::Occluded(true) => self.let_go(),
             WindowEvent::Resized(_) => {
                 if let Some(pane) = &self.front.pane {
                     pane.window.request_redraw();
