@@ -1,13 +1,13 @@
 //! BILIARD: eleven balls on a table, shot by dragging a ball's ghost away (chapters 4.1 and 4.3). The physics
 //! is `grafika::table`; here are the game, its picture and its controls.
 
-mod game;
 mod picture;
 mod player;
 mod rolling;
 mod texts;
 
 use super::groups;
+use crate::file::{Document, Format};
 use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 
 const MANUAL: Manual = Manual {
@@ -22,11 +22,14 @@ pub const PROGRAM: Program = Program {
     manual: MANUAL,
     chapter: "4.1, 4.3",
     group: &groups::GAMES,
-    opens: &[],
+    opens: &[Format::Bil],
     demo: Demo { file: "", script: "drag 60 240 560 246", motion: None },
     start: |document| match document {
+        Some(Document::Billiards(game)) => {
+            Ok(Box::new(|machine| Box::pin(player::run(machine, MANUAL, Some(game)))))
+        }
         Some(_) => Err(texts::NO_DOCUMENT.into()),
-        None => Ok(Box::new(|machine| Box::pin(player::run(machine, MANUAL)))),
+        None => Ok(Box::new(|machine| Box::pin(player::run(machine, MANUAL, None)))),
     },
     command_line: CommandLine::Usual,
 };

@@ -74,7 +74,7 @@ fn stored(name: &str) -> Document {
 /// The document that a file and what belongs to it on a disk say.
 fn read(disk: &SharedDisk, name: &str) -> Document {
     let document = Document::decode(FileKind::from_name(name).unwrap(), &disk.file(name)).unwrap();
-    work::with_json(work::with_twin(document, disk, name), disk, name)
+    work::with_json(work::with_twin(document, disk, name).0, disk, name)
 }
 
 fn curve_settings(document: &Document) -> CurveSettings {

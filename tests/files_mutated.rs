@@ -109,7 +109,7 @@ fn sweep(format: Format, count: usize) -> usize {
 #[test]
 fn damaged_files_give_a_value_or_a_reason() {
     let count = std::env::var("GRAFIKA_MUTATIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(20_000);
-    for &format in Format::ALL {
+    for format in Format::dos() {
         let start = std::time::Instant::now();
         let read = sweep(format, count);
         println!("{format}: {count} files, {read} read, {:.1} s", start.elapsed().as_secs_f64());
@@ -120,7 +120,7 @@ fn damaged_files_give_a_value_or_a_reason() {
 #[test]
 fn damaged_json_gives_a_value_or_a_reason() {
     let mut random = Random(77);
-    for &format in Format::ALL {
+    for format in Format::dos() {
         let texts: Vec<_> = seeds(format)
             .iter()
             .map(|bytes| Document::read(format, bytes).unwrap().to_json().unwrap().into_bytes())

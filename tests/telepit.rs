@@ -245,7 +245,7 @@ fn a_signal_undoes_everything() {
     terminal.wait_for("Overwrite it?");
     let process = terminal.child.process_id().unwrap().to_string();
     assert!(Command::new("kill").args(["-TERM", &process]).status().unwrap().success());
-    assert_eq!(ended(&mut terminal), 1);
+    assert_eq!(ended(&mut terminal), 128 + 15);
     assert_eq!(fs::read_dir(&root).unwrap().count(), 1);
     fs::remove_dir_all(root).unwrap();
 }

@@ -1,10 +1,10 @@
 //! The billiard table on the screen: balls are discs put by XOR, as in the original, so that two balls that
 //! share a pixel both show.
 
-use super::game::{Game, Shot};
 use super::texts;
 use crate::machine::Language;
 use crate::screen::{Bitmap, Color, Put, Screen, Stroke};
+use crate::table::{Game, Shot};
 use crate::table::{Obstacle, RACK, RADIUS, Surface, Table, Vector};
 use crate::ui::{Area, Picture, sunken};
 

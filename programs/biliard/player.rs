@@ -1,12 +1,12 @@
 //! What the player does: aiming, shooting, watching, and the keys.
 
-use super::game::Game;
 use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
-use crate::file::Document;
-use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Storage, Tick};
+use crate::file::{Document, Format};
+use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Tick};
 use crate::screen::Screen;
+use crate::table::Game;
 use crate::table::{Surface, Table};
 use crate::ui::{Command, Commands, Desk, KeyHelp, Manual, Phrase, Picture, Stay, Words, words};
 use crate::work::{self, History, Next, Work};
@@ -90,7 +90,7 @@ struct Model {
 ///
 /// # Errors
 /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
-pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Asked<()> {
+pub(crate) async fn run(machine: &mut Machine, manual: Manual, game: Option<Box<Game>>) -> Asked<()> {
     let player = Player {
         games: History::new(Game::new()),
         discs: Discs::new(),
@@ -100,7 +100,7 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual) -> Asked<()> {
         spin: 0,
         now: Duration::ZERO,
     };
-    work::run(player, &mut Desk::new(machine, manual), None).await
+    work::run(player, &mut Desk::new(machine, manual), game.map(Document::Billiards)).await
 }
 
 impl Picture for Player {
@@ -114,6 +114,10 @@ impl Work for Player {
 
     const ASK_SAVE: Words = texts::ASK_SAVE;
     const SAVED: Option<Words> = Some(texts::SAVED);
+
+    fn format(&self) -> Format {
+        Format::Bil
+    }
 
     fn history(&mut self) -> &mut History<Game> {
         &mut self.games
@@ -129,12 +133,16 @@ impl Work for Player {
         self.games = History::new(Game::new());
     }
 
-    fn open(&mut self, _: &Document) -> Result<(), Phrase> {
-        Err(texts::NO_DOCUMENT.into())
+    /// Undo leads back to the game before.
+    fn open(&mut self, document: &Document) -> Result<(), Phrase> {
+        let Document::Billiards(game) = document else { return Err(texts::NO_DOCUMENT.into()) };
+        self.games.change(Game::clone(game));
+        Ok(())
     }
 
+    /// A shot in motion counts as it will end.
     fn document(&self) -> Result<Document, Phrase> {
-        Err(texts::NO_DOCUMENT.into())
+        Ok(Document::Billiards(Box::new(self.outcome())))
     }
 
     fn model(&self) -> impl Serialize + 'static {
@@ -179,27 +187,6 @@ impl Work for Player {
                 return Ok(Next::End);
             }
         }
-    }
-
-    fn unsaved_work(&self) -> Result<String, Phrase> {
-        serde_json::to_string(&self.outcome()).map_err(|error| Phrase::plain(&error))
-    }
-
-    fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
-        self.games = History::new(Game::read(work.as_bytes()).map_err(|why| Phrase::plain(&why))?);
-        Ok(())
-    }
-
-    /// Undo leads back to the game before.
-    fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-        let content = work::read_content(storage, name)?;
-        self.games.change(Game::read(&content).map_err(|why| texts::no_game(name, &why))?);
-        Ok(())
-    }
-
-    fn json(&self, name: &str) -> Result<Vec<u8>, Phrase> {
-        let text = serde_json::to_string_pretty(self.games.now());
-        text.map(|text| (text + "\n").into_bytes()).map_err(|error| texts::no_game(name, &error.to_string()))
     }
 }
 

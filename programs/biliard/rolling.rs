@@ -1,7 +1,7 @@
 //! Balls in motion: the table's steps against the clock.
 
-use super::game::{Game, Shot, Touched};
 use crate::machine::FRAMES_PER_SECOND;
+use crate::table::{Game, Shot, Touched};
 use crate::table::{STEP, Table};
 use std::time::Duration;
 
@@ -42,7 +42,7 @@ pub(crate) struct Rolling {
 impl Rolling {
     /// The motion of a shot that was made at a moment of the clock; `None` if it is not possible.
     pub(crate) fn start(shot: Shot, pace: Pace, now: Duration) -> Option<Rolling> {
-        let table = shot.table()?;
+        let table = shot.table().ok()?;
         Some(Rolling { shot, pace, table, touched: Touched::default(), started: now, steps: 0 })
     }
 

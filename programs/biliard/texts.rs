@@ -1,8 +1,8 @@
 //! What the billiard says, in Hungarian and English.
 
-use super::game::{GOAL, Points};
 use crate::machine::Language;
-use crate::ui::{KeyHelp, Phrase, Words, line};
+use crate::table::{GOAL, Points};
+use crate::ui::{KeyHelp, Words, line};
 
 pub(crate) const SHOOT: KeyHelp =
     (Words("egér", "mouse"), Words("lökés: a golyó képének húzása", "shot: drag a ball's ghost away"));
@@ -25,10 +25,7 @@ pub(crate) const ASK_SAVE: Words = Words("     Menteni a játékot ?", "      Sa
 pub(crate) const NO_SHOT: Words = Words("Még nem volt lökés", "There was no shot yet");
 pub(crate) const SAVED: Words = Words("Elmentve", "Saved");
 pub(crate) const REPLAY: Words = Words("Lassítva", "Slow motion");
-pub(crate) const NO_DOCUMENT: Words = Words(
-    "a biliárd játékait a Ctrl+O tölti be",
-    "billiard has no data files of 1997; its games are loaded with Ctrl+O",
-);
+pub(crate) const NO_DOCUMENT: Words = Words("Ez nem biliárdjátszma", "This is no game of billiards");
 
 /// The line above the table: whose turn it is and the points.
 pub(crate) fn score(points: &Points, language: Language) -> String {
@@ -57,9 +54,4 @@ pub(crate) fn spin(quarters: i32, language: Language) -> String {
         0 => format!("{word}: 0"),
         quarters => format!("{word}: {quarters:+}/4"),
     }
-}
-
-/// A file that is no game.
-pub(crate) fn no_game(name: &str, why: &str) -> Phrase {
-    Phrase::new(format!("{name}: nem biliárdjáték: {why}"), format!("{name}: no game of billiards: {why}"))
 }

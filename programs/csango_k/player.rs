@@ -359,8 +359,8 @@ impl Player {
 impl Work for Player {
     type Value = Play;
 
-    fn format(&self) -> Option<Format> {
-        Some(Format::Csk)
+    fn format(&self) -> Format {
+        Format::Csk
     }
 
     fn history(&mut self) -> &mut History<Play> {

@@ -124,8 +124,8 @@ impl Picture for Player {
 impl Work for Player {
     type Value = Game;
 
-    fn format(&self) -> Option<Format> {
-        Some(Format::Gyk)
+    fn format(&self) -> Format {
+        Format::Gyk
     }
 
     fn history(&mut self) -> &mut History<Game> {

@@ -53,9 +53,10 @@ impl Design {
             Document::SpacePoints(space) => Ok(Design::Space(space.into())),
             Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
-            Document::Tangents(_) | Document::BeadWheel(_) | Document::CsangoCube(_) => {
-                Err(DesignError::NoShape)
-            }
+            Document::Tangents(_)
+            | Document::BeadWheel(_)
+            | Document::CsangoCube(_)
+            | Document::Billiards(_) => Err(DesignError::NoShape),
         }
     }
 

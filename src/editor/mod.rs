@@ -150,8 +150,8 @@ fn start<C: Craft<D>, const D: usize>(
 impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
     type Value = C::Value;
 
-    fn format(&self) -> Option<Format> {
-        Some(self.craft.format())
+    fn format(&self) -> Format {
+        self.craft.format()
     }
 
     fn history(&mut self) -> &mut History<C::Value> {
@@ -179,7 +179,7 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
     }
 
     fn saved_as(&self) -> Option<Format> {
-        self.format().filter(|_| self.craft.fits_format(self.history.now()))
+        Some(self.format()).filter(|_| self.craft.fits_format(self.history.now()))
     }
 
     fn model(&self) -> impl Serialize + 'static {

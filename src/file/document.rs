@@ -1,8 +1,10 @@
 //! One type over all contents, and the way between it and DOS files.
 
+use crate::table::Game;
+
 use super::{
-    BeadWheel, CsangoCube, FileError, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints, Tangents,
-    settings,
+    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints,
+    Tangents, billiards, settings,
 };
 
 /// What a data file holds.
@@ -22,6 +24,8 @@ pub enum Document {
     BeadWheel(BeadWheel),
     /// `.CSK`: a position of the Csángó cube.
     CsangoCube(CsangoCube),
+    /// `.BIL`: a game of billiards.
+    Billiards(Box<Game>),
 }
 
 impl Document {
@@ -31,7 +35,13 @@ impl Document {
     /// [`FileError`] when the size is wrong or a value that means something cannot be; fields that the
     /// programs compute again are not looked at.
     pub fn read(format: Format, bytes: &[u8]) -> Result<Self, FileError> {
-        if bytes.len() != format.size() {
+        let Some(size) = format.size() else {
+            let document = Self::decode(FileKind::Json, bytes)?;
+            let found = document.format();
+            let problem = || format!("this is {}, not {}", found.english(), format.english());
+            return if found == format { Ok(document) } else { Err(FileError::Invalid(problem())) };
+        };
+        if bytes.len() != size {
             return Err(FileError::Size { format, found: bytes.len() });
         }
         if let Some(kind) = NetKind::of(format) {
@@ -66,6 +76,7 @@ impl Document {
             (Self::Net(net), _) if NetKind::of(format).is_some_and(|kind| net.kind.goes_into(kind)) => {
                 net.write(NetKind::of(format).unwrap_or(net.kind))
             }
+            _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             _ => {
                 let content = self.format().english();
                 Err(FileError::misfit(format, format!("{content}; it holds {}", format.english())))
@@ -86,6 +97,7 @@ impl Document {
             Self::Net(net) => net.kind.format(),
             Self::BeadWheel(_) => Format::Gyk,
             Self::CsangoCube(_) => Format::Csk,
+            Self::Billiards(_) => Format::Bil,
         }
     }
 
@@ -103,6 +115,7 @@ impl Document {
             Self::Net(net) => net.check(),
             Self::BeadWheel(wheel) => wheel.check(),
             Self::CsangoCube(cube) => cube.check(),
+            Self::Billiards(game) => game.check().map_err(|error| FileError::Invalid(error.to_string())),
         }
     }
 
@@ -117,6 +130,7 @@ impl Document {
             Self::Net(net) => net.describe(),
             Self::BeadWheel(wheel) => wheel.describe(),
             Self::CsangoCube(cube) => cube.describe(),
+            Self::Billiards(game) => billiards::describe(game),
         }
     }
 
@@ -127,7 +141,11 @@ impl Document {
             Self::PlanePoints(points) => settings::given(&points.settings),
             Self::SpacePoints(points) => settings::given(&points.settings),
             Self::Net(net) => settings::given(&net.settings),
-            Self::Tangents(_) | Self::Fourier(_) | Self::BeadWheel(_) | Self::CsangoCube(_) => Vec::new(),
+            Self::Tangents(_)
+            | Self::Fourier(_)
+            | Self::BeadWheel(_)
+            | Self::CsangoCube(_)
+            | Self::Billiards(_) => Vec::new(),
         }
     }
 
@@ -138,7 +156,11 @@ impl Document {
             Self::PlanePoints(points) => points.settings = Default::default(),
             Self::SpacePoints(points) => points.settings = Default::default(),
             Self::Net(net) => net.settings = Default::default(),
-            Self::Tangents(_) | Self::Fourier(_) | Self::BeadWheel(_) | Self::CsangoCube(_) => {}
+            Self::Tangents(_)
+            | Self::Fourier(_)
+            | Self::BeadWheel(_)
+            | Self::CsangoCube(_)
+            | Self::Billiards(_) => {}
         }
         self
     }

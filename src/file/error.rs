@@ -61,7 +61,7 @@ impl fmt::Display for FileError {
         match self {
             Self::Size { format, found } => {
                 let plural = if *found == 1 { "byte" } else { "bytes" };
-                write!(f, "the file has {found} {plural}; {} has {}", a_file(*format), format.size())
+                write!(f, "the file has {found} {plural}; {} has {}", a_file(*format), format.bytes())
             }
             Self::Value { place, offset, problem } => write!(f, "{place} (byte {offset}): {problem}"),
             Self::Invalid(problem) => f.write_str(problem),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A data file of the DOS programs, named after its extension.
+/// A kind of data file, named after its extension: those of the DOS programs, and kinds that are JSON only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the table below says what each one is")]
 pub enum Format {
@@ -23,19 +23,21 @@ pub enum Format {
     Zyp,
     Gyk,
     Csk,
+    Bil,
 }
 
 /// One row of the table.
 struct Row {
     format: Format,
     extension: &'static str,
-    size: usize,
+    /// The bytes of the DOS file; `None` where there is only JSON.
+    size: Option<usize>,
     english: &'static str,
     hungarian: &'static str,
 }
 
 macro_rules! rows {
-    ($($format:ident $extension:literal $size:literal $english:literal $hungarian:literal;)*) => {
+    ($($format:ident $extension:literal $size:expr, $english:literal $hungarian:literal;)*) => {
         /// Every format, in the order of the table.
         const ALL: &[Format] = &[$(Format::$format),*];
         const ROWS: &[Row] = &[$(Row {
@@ -49,23 +51,24 @@ macro_rules! rows {
 }
 
 rows! {
-    Ip2 "IP2" 1300 "control points in the plane" "síkbeli kontrollpontok";
-    Ic2 "IC2" 1300 "control points with tangents" "kontrollpontok érintőkkel";
-    Ec2 "EC2" 1300 "tangents at control points" "érintők a kontrollpontokban";
-    Gbp "GBP" 504 "coefficients of a Fourier curve" "Fourier-görbe együtthatói";
-    Ip3 "IP3" 3000 "control points in space" "térbeli kontrollpontok";
-    Fhc "FHC" 640 "Hermite patch" "Hermite-folt";
-    Fps "FPS" 640 "net of an open spline surface" "nyílt spline felület hálója";
-    Fem "FEM" 640 "heights of a spline surface" "spline felület magasságai";
-    Fpb "FPB" 640 "net of a Bézier patch" "Bézier-folt hálója";
-    Fbs "FBS" 640 "net of an open B-spline surface" "nyílt B-spline felület hálója";
-    Zms "ZMS" 640 "net of a spline surface like a sphere" "gömbszerű spline felület hálója";
-    Zmb "ZMB" 640 "net of a B-spline surface like a sphere" "gömbszerű B-spline felület hálója";
-    Zys "ZYS" 640 "net of a spline surface like a torus" "gyűrűszerű spline felület hálója";
-    Zyb "ZYB" 640 "net of a B-spline surface like a torus" "gyűrűszerű B-spline felület hálója";
-    Zyp "ZYP" 640 "net of a beta-spline surface like a torus" "gyűrűszerű béta-spline felület hálója";
-    Gyk "GYK" 37 "position of the bead wheel" "a gyöngykerék állása";
-    Csk "CSK" 17024 "position of the Csángó cube" "a csángó kocka állása";
+    Ip2 "IP2" Some(1300), "control points in the plane" "síkbeli kontrollpontok";
+    Ic2 "IC2" Some(1300), "control points with tangents" "kontrollpontok érintőkkel";
+    Ec2 "EC2" Some(1300), "tangents at control points" "érintők a kontrollpontokban";
+    Gbp "GBP" Some(504), "coefficients of a Fourier curve" "Fourier-görbe együtthatói";
+    Ip3 "IP3" Some(3000), "control points in space" "térbeli kontrollpontok";
+    Fhc "FHC" Some(640), "Hermite patch" "Hermite-folt";
+    Fps "FPS" Some(640), "net of an open spline surface" "nyílt spline felület hálója";
+    Fem "FEM" Some(640), "heights of a spline surface" "spline felület magasságai";
+    Fpb "FPB" Some(640), "net of a Bézier patch" "Bézier-folt hálója";
+    Fbs "FBS" Some(640), "net of an open B-spline surface" "nyílt B-spline felület hálója";
+    Zms "ZMS" Some(640), "net of a spline surface like a sphere" "gömbszerű spline felület hálója";
+    Zmb "ZMB" Some(640), "net of a B-spline surface like a sphere" "gömbszerű B-spline felület hálója";
+    Zys "ZYS" Some(640), "net of a spline surface like a torus" "gyűrűszerű spline felület hálója";
+    Zyb "ZYB" Some(640), "net of a B-spline surface like a torus" "gyűrűszerű B-spline felület hálója";
+    Zyp "ZYP" Some(640), "net of a beta-spline surface like a torus" "gyűrűszerű béta-spline felület hálója";
+    Gyk "GYK" Some(37), "position of the bead wheel" "a gyöngykerék állása";
+    Csk "CSK" Some(17024), "position of the Csángó cube" "a csángó kocka állása";
+    Bil "BIL" None, "game of billiards" "biliárdjátszma";
 }
 
 impl Format {
@@ -78,10 +81,20 @@ impl Format {
         self.row().extension
     }
 
-    /// The size of every file of this format, in bytes.
+    /// The formats of the DOS programs, whose files are records of bytes.
+    pub fn dos() -> impl Iterator<Item = Self> {
+        ALL.iter().copied().filter(|format| format.size().is_some())
+    }
+
+    /// The size of every DOS file of this format, in bytes; `None` for what is JSON only.
     #[must_use]
-    pub fn size(self) -> usize {
+    pub fn size(self) -> Option<usize> {
         self.row().size
+    }
+
+    /// The size of a file that is written record by record.
+    pub(super) fn bytes(self) -> usize {
+        self.row().size.unwrap_or_default()
     }
 
     /// What such a file holds, in English.
@@ -138,7 +151,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Csk as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Bil as usize + 1, Format::ALL.len());
     }
 
     #[test]

@@ -19,7 +19,14 @@ impl Document {
     /// [`FileError::Text`] with the line and the field, for a text that is no JSON, an unknown format, and
     /// missing, unknown or wrong fields; [`FileError::Invalid`] for values that do not belong together.
     pub fn from_json(text: &str) -> Result<Self, FileError> {
-        let Head { format } = parse(text)?;
+        let Head { format, balls } = parse(text)?;
+        let Some(format) = format.or_else(|| balls.map(|_| Format::Bil.extension().to_owned())) else {
+            return Err(FileError::Text {
+                line: 1,
+                place: String::new(),
+                problem: "missing field `format`".to_owned(),
+            });
+        };
         let Some(format) = Format::from_extension(&format) else {
             let known: Vec<_> = Format::ALL.iter().map(|f| f.extension()).collect();
             let problem = format!("\"{format}\" is none of {}", known.join(", "));
@@ -32,6 +39,7 @@ impl Document {
             Format::Ip3 => fields(text).map(Self::SpacePoints),
             Format::Gyk => fields(text).map(Self::BeadWheel),
             Format::Csk => fields(text).map(Self::CsangoCube),
+            Format::Bil => fields(text).map(Box::new).map(Self::Billiards),
             _ => fields(text).map(|net: Net| {
                 // Every format that is left has a kind of net.
                 Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
@@ -56,6 +64,7 @@ impl Document {
             Self::Net(value) => tagged(format, value),
             Self::BeadWheel(value) => tagged(format, value),
             Self::CsangoCube(value) => tagged(format, value),
+            Self::Billiards(value) => tagged(format, value.as_ref()),
         };
         compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
     }
@@ -64,7 +73,9 @@ impl Document {
 /// All that is read at first.
 #[derive(Deserialize)]
 struct Head {
-    format: String,
+    format: Option<String>,
+    /// Games of billiards were saved without their format once.
+    balls: Option<de::IgnoredAny>,
 }
 
 fn tagged(format: &str, value: &impl Serialize) -> serde_json::Result<String> {

@@ -19,6 +19,7 @@
 //! # Ok::<(), FileError>(())
 //! ```
 
+mod billiards;
 mod check;
 mod convert;
 mod csv;

@@ -256,7 +256,7 @@ impl Net {
             }
             writer.zeros_to(RECORD * STORED[1] * (k + 1));
         }
-        writer.zeros_to(format.size());
+        writer.zeros_to(format.bytes());
         Ok(writer.into_bytes())
     }
 }

@@ -148,7 +148,7 @@ impl PlanePoints {
             let screen = [ORIGIN[0] + point[0], ORIGIN[1] - point[1]].map(|v| v as i16);
             record(&mut writer, whole, screen);
         }
-        writer.zeros_to(format.size());
+        writer.zeros_to(format.bytes());
         Ok(writer.into_bytes())
     }
 
@@ -209,7 +209,7 @@ impl Tangents {
         for tangent in &self.tangents {
             record(&mut writer, tangent.vector, tangent.tip);
         }
-        writer.zeros_to(Format::Ec2.size());
+        writer.zeros_to(Format::Ec2.bytes());
         Ok(writer.into_bytes())
     }
 }

@@ -85,7 +85,7 @@ impl SpacePoints {
             writer.real(depth).map_err(|e| FileError::misfit(format, e.to_string()))?;
             writer.i16(rank);
         }
-        writer.zeros_to(format.size());
+        writer.zeros_to(format.bytes());
         Ok(writer.into_bytes())
     }
 }

@@ -21,8 +21,8 @@ use open::{folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::{say, write_output};
 
-use crate::file::Format;
-use crate::machine::{Language, SAMPLES, Session};
+use crate::file::{Document, Format};
+use crate::machine::{SAMPLES, Session};
 use crate::ui::{CommandLine, Program};
 use crate::work::with_json;
 use clap::{Args, Command, FromArgMatches};
@@ -92,12 +92,17 @@ impl Program {
         let mut machine = run_options.machine(path.map_or_else(|| run_options.folder(), folder_of));
         // Through the machine's own storage, which remembers what was read.
         let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
+        if let Some(Opened { name, document: Document::Tangents(_), .. }) = &opened {
+            return Err(Failure::work(format!(
+                "{name} holds tangents only; no .IC2 file with the points lies beside it"
+            )));
+        }
         machine.set_file(opened.as_ref().map(|opened| opened.file_name.clone()));
         let (name, document) = opened
             .map(|opened| (opened.name, with_json(opened.document, machine.storage(), &opened.file_name)))
             .unzip();
         let start = (self.start)(document).map_err(|problem| {
-            let problem = problem.of(Language::English);
+            let problem = problem.of(run_options.language());
             Failure::work(
                 name.map_or_else(|| problem.to_owned(), |name: String| format!("{name}: {problem}")),
             )

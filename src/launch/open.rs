@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub struct Opened {
     /// The name as it was given.
     pub name: String,
-    /// The name without the folder.
+    /// The name without the folder, of the file with the points if there are two.
     pub file_name: String,
     /// The folder it lies in, where the program will save.
     pub folder: PathBuf,
@@ -59,8 +59,8 @@ pub(super) fn open_in(storage: &dyn Storage, path: &Path, from: Option<FileKind>
     let content = content_of(storage, path, file_name)?;
     let document =
         Document::decode(kind, &content).map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
-    let document = with_twin(document, storage, file_name);
-    Ok(Opened { name, file_name: file_name.to_string(), folder, document })
+    let (document, file_name) = with_twin(document, storage, file_name);
+    Ok(Opened { name, file_name, folder, document })
 }
 
 /// The content of the file at a path, through the storage of its folder, which knows names in any case and remembers

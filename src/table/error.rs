@@ -3,7 +3,7 @@
 use super::{Ball, Cloth, FASTEST, Field, OVERLAP, RADIUS};
 use std::fmt;
 
-/// Why there is no such table or shot. Balls are counted from 0.
+/// Why there is no such table or shot. Balls are counted from 0; the messages count them from 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TableError {
     /// The field's limits are not finite, or the lower one is above the upper one.
@@ -45,21 +45,26 @@ impl fmt::Display for TableError {
             Self::Cloth => f.write_str(
                 "the damping should be within 0 to 1, and the stop rule's limit finite and not below 0",
             ),
-            Self::NoBall { ball, count } => write!(f, "there is no ball {ball}; there are {count}, from 0"),
+            Self::NoBall { ball, count } => {
+                write!(f, "there is no ball {}; there are {count}", ball.saturating_add(1))
+            }
             Self::Outside { ball } => {
-                write!(f, "ball {ball}: its centre should be within the field's limits")
+                write!(f, "ball {}: its centre should be within the field's limits", ball.saturating_add(1))
             }
             Self::TooFast { ball } => {
                 write!(
                     f,
-                    "ball {ball}: velocity and spin should be finite and at most {FASTEST} pixels a second"
+                    "ball {}: velocity and spin should be finite and at most {FASTEST} pixels a second",
+                    ball.saturating_add(1)
                 )
             }
             Self::Overlap { balls: [a, b], distance } => {
                 let least = 2.0 * RADIUS;
                 write!(
                     f,
-                    "balls {a} and {b} lie in each other: {distance} pixels apart, at least {least} is right"
+                    "balls {} and {} lie in each other: {distance} pixels apart, at least {least} is right",
+                    a.saturating_add(1),
+                    b.saturating_add(1)
                 )
             }
         }
@@ -67,6 +72,37 @@ impl fmt::Display for TableError {
 }
 
 impl std::error::Error for TableError {}
+
+/// Why there is no such game.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GameError {
+    /// Not as many balls as every game has.
+    Balls {
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        wanted: usize,
+    },
+    /// The balls cannot lie like this.
+    Table(TableError),
+    /// Neither player's turn.
+    Turn,
+    /// The last shot is not possible.
+    Shot(TableError),
+}
+
+impl fmt::Display for GameError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Balls { found, wanted } => write!(f, "there are {found} balls; there should be {wanted}"),
+            Self::Table(error) => error.fmt(f),
+            Self::Turn => f.write_str("points.turn should be 0 or 1"),
+            Self::Shot(error) => write!(f, "the last shot is not possible: {error}"),
+        }
+    }
+}
+
+impl std::error::Error for GameError {}
 
 /// Checks all that a table must keep.
 pub(super) fn check(field: &Field, cloth: &Cloth, balls: &[Ball]) -> Result<(), TableError> {

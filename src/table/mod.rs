@@ -23,12 +23,14 @@
 mod aim;
 mod collide;
 mod error;
+mod game;
 mod sweep;
 #[cfg(test)]
 mod tests;
 
 pub use aim::{Obstacle, Prediction};
-pub use error::TableError;
+pub use error::{GameError, TableError};
+pub use game::{GOAL, Game, Points, Shot, Touched};
 
 use serde::{Deserialize, Serialize};
 

@@ -291,7 +291,8 @@ pub(crate) fn not_kept(problem: &str) -> Phrase {
 pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
     let hungarian = match error {
         FileError::Size { format, found } => {
-            format!("{name}: a file {found} bájt; egy {format} file {} bájt", format.size())
+            let right = format.size().unwrap_or_default();
+            format!("{name}: a file {found} bájt; egy {format} file {right} bájt")
         }
         error => format!("{name}: hibás adat: {error}"),
     };

@@ -21,7 +21,7 @@ pub(super) fn json_name(name: &str) -> String {
 }
 
 /// Reads a file; a missing one is reported in the original's words.
-pub(crate) fn read_content(storage: &dyn Storage, name: &str) -> Result<Vec<u8>, Phrase> {
+fn read_content(storage: &dyn Storage, name: &str) -> Result<Vec<u8>, Phrase> {
     storage.read(name).map_err(|error| match error.problem {
         StorageProblem::NotFound => words::NO_SUCH_FILE.into(),
         _ => words::storage_problem(&error),
@@ -37,17 +37,28 @@ pub fn read_document(storage: &dyn Storage, name: &str, format: Format) -> Resul
     Document::read(format, &content).map_err(|error| words::in_file(name, &error))
 }
 
-/// The document of an `.IC2` file with the tangents of its twin, if there is one; other documents unchanged.
-pub fn with_twin(document: Document, storage: &dyn Storage, name: &str) -> Document {
-    let is_ic2 = Format::from_name(name) == Some(Format::Ic2);
-    match (document, is_ic2) {
-        (Document::PlanePoints(plane), true) if plane.tangents.is_none() => {
-            match read_document(storage, &twin(name, Format::Ec2.extension()), Format::Ec2) {
-                Ok(Document::Tangents(tangents)) => Document::PlanePoints(plane.with_tangents(&tangents)),
-                _ => Document::PlanePoints(plane),
-            }
+/// The document of an `.IC2` file with the tangents of the `.EC2` file beside it, or the other way round, if there is
+/// one, and the name of the file with the points; other documents unchanged.
+pub fn with_twin(document: Document, storage: &dyn Storage, name: &str) -> (Document, String) {
+    let beside = |format: Format| {
+        let name = twin(name, format.extension());
+        read_document(storage, &name, format).ok().map(|document| (document, name))
+    };
+    match (document, Format::from_name(name)) {
+        (Document::PlanePoints(plane), Some(Format::Ic2)) if plane.tangents.is_none() => {
+            let plane = match beside(Format::Ec2) {
+                Some((Document::Tangents(tangents), _)) => plane.with_tangents(&tangents),
+                _ => plane,
+            };
+            (Document::PlanePoints(plane), name.to_owned())
         }
-        (document, _) => document,
+        (Document::Tangents(tangents), Some(Format::Ec2)) => match beside(Format::Ic2) {
+            Some((Document::PlanePoints(plane), name)) => {
+                (Document::PlanePoints(plane.with_tangents(&tangents)), name)
+            }
+            _ => (Document::Tangents(tangents), name.to_owned()),
+        },
+        (document, _) => (document, name.to_owned()),
     }
 }
 

@@ -26,8 +26,7 @@ pub enum Next {
     End,
 }
 
-/// A program's state with work that is undone, saved and rescued. It is a [`Document`], unless the program says
-/// otherwise: then it has no format, and `json`, `read`, `unsaved_work` and `take_up` are its own.
+/// A program's state with work that is undone, saved and rescued. It is a [`Document`].
 pub trait Work: Picture {
     /// What is changed, undone and saved.
     type Value: Clone + PartialEq;
@@ -37,19 +36,18 @@ pub trait Work: Picture {
     /// What is told when it is saved.
     const SAVED: Option<Words> = None;
 
-    /// The format of the stored documents; `None` if they are JSON of the program's own.
-    fn format(&self) -> Option<Format> {
-        None
-    }
+    /// The format of the stored documents.
+    fn format(&self) -> Format;
 
     /// The method that the program draws by where a document names none.
     fn implied(&self) -> Option<Method> {
         None
     }
 
-    /// The format that it is saved in; `None`, JSON, where files of its format have no room, its recipe aside.
+    /// The DOS format that it is saved in; `None`, JSON, where there is none, or none with room for it, its recipe
+    /// aside.
     fn saved_as(&self) -> Option<Format> {
-        self.format()
+        Some(self.format()).filter(|format| format.size().is_some())
     }
 
     /// The edited value with its past.
@@ -125,8 +123,7 @@ pub trait Work: Picture {
     /// # Errors
     /// What is wrong with the file.
     fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-        let Some(format) = self.format() else { return Err(words::NO_SUCH_FILE.into()) };
-        let document = with_twin(read_document(storage, name, format)?, storage, name);
+        let (document, _) = with_twin(read_document(storage, name, self.format())?, storage, name);
         self.open(&with_json(document, storage, name))
     }
 
@@ -157,6 +154,7 @@ async fn live<W: Work>(state: &mut W, desk: &mut Desk<'_>, document: Option<Docu
         Some(document) => offer_lost(state, desk).await? || desk.done(state.open(&document), Stay::UntilRead),
         None => false,
     };
+    desk.machine.publish(state.model());
     let mut next = if begun { Next::Work } else { Next::Restart };
     loop {
         let step = match next {
@@ -251,10 +249,15 @@ async fn start<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<()> {
     }
 }
 
+/// The extension of the files of a format.
+fn extension(format: Option<Format>) -> &'static str {
+    format.filter(|format| format.size().is_some()).map_or(JSON, Format::extension)
+}
+
 /// Asks for a name and takes up what is stored under it; whether it was done.
 pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay) -> Asked<bool> {
     state.settle();
-    let extension = state.format().map_or(JSON, Format::extension);
+    let extension = extension(Some(state.format()));
     let name = desk.file_name(&*state, extension, Way::Load).await?;
     let read = state.read(desk.machine.storage(), &name);
     let done = desk.done(read, stay);
@@ -268,7 +271,7 @@ pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay
 /// Asks for a name and saves; whether it was done.
 pub(crate) async fn save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
     state.settle();
-    let extension = state.saved_as().map_or(JSON, Format::extension);
+    let extension = extension(state.saved_as());
     let name = desk.file_name(&*state, extension, Way::Save).await?;
     let stored = match files(state, desk, &name).await? {
         Ok(files) => {

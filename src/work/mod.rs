@@ -6,7 +6,6 @@ mod history;
 mod life;
 mod rescue;
 
-pub(crate) use files::read_content;
 pub use files::{Files, dos_files, read_document, with_json, with_twin};
 pub use history::History;
 pub use life::{Next, Work, common_key, event, quit, run};

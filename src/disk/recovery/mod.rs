@@ -398,7 +398,7 @@ mod tests {
         }
         let file = fs::File::create(scratch.folder().join("p-1-0.unsaved")).unwrap();
         file.set_len(1 << 40).unwrap();
-        assert!(scratch.session().lost("p").unwrap().work.unwrap_err().contains("bytes"));
+        assert!(scratch.session().lost("p").unwrap().work.unwrap_err().contains("64 MB"));
         fs::remove_file(scratch.folder().join("p-1-0.unsaved")).unwrap();
         fs::create_dir(scratch.folder().join("p-1-0.unsaved")).unwrap();
         // Neither folders nor others' files.

@@ -142,8 +142,8 @@ fn circle() -> Fourier {
 impl Work for Editor {
     type Value = Fourier;
 
-    fn format(&self) -> Option<Format> {
-        Some(Format::Gbp)
+    fn format(&self) -> Format {
+        Format::Gbp
     }
 
     fn history(&mut self) -> &mut History<Fourier> {

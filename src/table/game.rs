@@ -1,48 +1,54 @@
-//! The game as a plain value: where the balls rest, the shot that led there, the points. It is what undo
-//! takes back and what a file holds.
+//! A game of billiards as a plain value: where the balls rest, the shot that led there, the points.
 
-use crate::table::{Ball, Cloth, Field, Hit, Obstacle, RACK, RADIUS, Surface, Table, Vector};
+use super::{Ball, Cloth, Field, GameError, Hit, Obstacle, RACK, RADIUS, Surface, Table, TableError, Vector};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
 /// How many points win.
-pub(crate) const GOAL: u32 = 30;
+pub const GOAL: u32 = 30;
 
 /// One shot, whole: it gives the same motion every time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Shot {
+#[serde(deny_unknown_fields)]
+pub struct Shot {
     /// Where the balls lay before it.
-    pub(crate) from: Vec<Vector>,
+    pub from: Vec<Vector>,
     /// The ball that was shot, by its index.
-    pub(crate) ball: usize,
+    pub ball: usize,
     /// Pixels a second, y down.
-    pub(crate) velocity: Vector,
+    pub velocity: Vector,
     /// Radians a second.
-    pub(crate) spin: f64,
+    pub spin: f64,
     /// The surfaces of the balls.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
 }
 
 impl Shot {
-    /// The table at the moment of the shot; `None` if there is no such shot.
-    pub(crate) fn table(&self) -> Option<Table> {
+    /// The table at the moment of the shot.
+    ///
+    /// # Errors
+    /// [`TableError`] if there is no such shot.
+    pub fn table(&self) -> Result<Table, TableError> {
         let mut table = resting(&self.from, self.surface)?;
-        table.shoot(self.ball, self.velocity, self.spin).ok()?;
-        Some(table)
+        table.shoot(self.ball, self.velocity, self.spin)?;
+        Ok(table)
     }
 }
 
 /// The points of two players.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Points {
-    pub(crate) scores: [u32; 2],
+#[serde(deny_unknown_fields)]
+pub struct Points {
+    /// The points of each.
+    pub scores: [u32; 2],
     /// Who is to play, 0 or 1.
-    pub(crate) turn: usize,
+    pub turn: usize,
 }
 
 impl Points {
     /// Who has reached the goal.
-    pub(crate) fn winner(&self) -> Option<usize> {
+    #[must_use]
+    pub fn winner(&self) -> Option<usize> {
         self.scores.iter().position(|&score| score >= GOAL)
     }
 
@@ -65,57 +71,63 @@ impl Points {
 
 /// A game between two shots.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Game {
+#[serde(deny_unknown_fields)]
+pub struct Game {
     /// Where the balls lie.
-    pub(crate) balls: Vec<Vector>,
+    pub balls: Vec<Vector>,
     /// The surfaces that the next shot is played with.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
     /// The points, when two play for them.
-    pub(crate) points: Option<Points>,
+    pub points: Option<Points>,
     /// The shot that led here.
-    pub(crate) last: Option<Shot>,
+    pub last: Option<Shot>,
+}
+
+impl Default for Game {
+    fn default() -> Game {
+        Game::new()
+    }
 }
 
 impl Game {
     /// The start.
-    pub(crate) fn new() -> Game {
+    #[must_use]
+    pub fn new() -> Game {
         Game { balls: RACK.to_vec(), surface: Surface::Smooth, points: None, last: None }
     }
 
     /// The balls at rest on their table; a game that was checked has one.
-    pub(crate) fn table(&self) -> Table {
-        resting(&self.balls, self.surface).unwrap_or_else(Table::rack)
+    pub fn table(&self) -> Table {
+        resting(&self.balls, self.surface).unwrap_or_else(|_| Table::rack())
     }
 
-    /// Reads a game out of a file.
+    /// Checks what every game must keep.
     ///
     /// # Errors
-    /// What is wrong with it, as a sentence.
-    pub(crate) fn read(content: &[u8]) -> Result<Game, String> {
-        let game: Game = serde_json::from_slice(content).map_err(|error| error.to_string())?;
+    /// [`GameError`] with what is wrong.
+    pub fn check(&self) -> Result<(), GameError> {
         let count = RACK.len();
-        let shots = game.last.iter().map(|shot| &shot.from);
-        if shots.chain([&game.balls]).any(|balls| balls.len() != count) {
-            return Err(format!("there should be {count} balls"));
+        let lists = self.last.iter().map(|shot| &shot.from).chain([&self.balls]);
+        if let Some(found) = lists.map(Vec::len).find(|&found| found != count) {
+            return Err(GameError::Balls { found, wanted: count });
         }
-        let balls = game.balls.iter().map(|&at| Ball::resting(at)).collect();
-        Table::new(Field::BILIARD, Cloth::default(), balls).map_err(|error| error.to_string())?;
-        if game.points.is_some_and(|points| points.turn > 1) {
-            return Err("turn should be 0 or 1".to_string());
+        resting(&self.balls, self.surface).map_err(GameError::Table)?;
+        match &self.last {
+            _ if self.points.is_some_and(|points| points.turn > 1) => Err(GameError::Turn),
+            Some(shot) => shot.table().map(|_| ()).map_err(GameError::Shot),
+            None => Ok(()),
         }
-        if game.last.as_ref().is_some_and(|shot| shot.table().is_none()) {
-            return Err("the last shot is not possible".to_string());
-        }
-        Ok(game)
     }
 
     /// The game with the balls' start; the players begin anew.
-    pub(crate) fn racked(&self) -> Game {
+    #[must_use]
+    pub fn racked(&self) -> Game {
         Game { surface: self.surface, points: self.points.map(|_| Points::default()), ..Game::new() }
     }
 
     /// The game with other surfaces.
-    pub(crate) fn with_other_surface(&self) -> Game {
+    #[must_use]
+    pub fn with_other_surface(&self) -> Game {
         let surface = match self.surface {
             Surface::Smooth => Surface::Rough,
             Surface::Rough => Surface::Smooth,
@@ -124,14 +136,15 @@ impl Game {
     }
 
     /// The game for points, or without if it is for points now.
-    pub(crate) fn with_other_mode(&self) -> Game {
+    #[must_use]
+    pub fn with_other_mode(&self) -> Game {
         let points = self.points.is_none().then(Points::default);
         Game { points, ..self.clone() }
     }
 
     /// A shot at a ball towards a place: so many pixels away, so many pixels a second. Spin is given in
     /// quarters of the speed.
-    pub(crate) fn shot(&self, ball: usize, towards: (i32, i32), quarters: i32) -> Option<Shot> {
+    pub fn shot(&self, ball: usize, towards: (i32, i32), quarters: i32) -> Option<Shot> {
         let at = *self.balls.get(ball)?;
         let velocity = [f64::from(towards.0) - at[0], f64::from(towards.1) - at[1]];
         let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
@@ -143,7 +156,8 @@ impl Game {
     }
 
     /// The game after a shot: where the balls came to rest and which ones the shot ball has touched.
-    pub(crate) fn after(&self, shot: Shot, table: &Table, touched: &Touched) -> Game {
+    #[must_use]
+    pub fn after(&self, shot: Shot, table: &Table, touched: &Touched) -> Game {
         let points = self.points.map(|points| points.after(touched.others.len()));
         let balls = table.balls().iter().map(|ball| ball.at).collect();
         Game { balls, points, last: Some(shot), surface: self.surface }
@@ -152,13 +166,13 @@ impl Game {
 
 /// The balls that the shot ball has touched.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Touched {
+pub struct Touched {
     others: BTreeSet<usize>,
 }
 
 impl Touched {
     /// Notes a hit.
-    pub(crate) fn note(&mut self, shot: usize, hit: &Hit) {
+    pub fn note(&mut self, shot: usize, hit: &Hit) {
         match hit.obstacle {
             Obstacle::Ball(other) if hit.ball == shot => self.others.insert(other),
             Obstacle::Ball(other) if other == shot => self.others.insert(hit.ball),
@@ -167,7 +181,7 @@ impl Touched {
     }
 }
 
-fn resting(balls: &[Vector], surface: Surface) -> Option<Table> {
+fn resting(balls: &[Vector], surface: Surface) -> Result<Table, TableError> {
     let balls = balls.iter().map(|&at| Ball::resting(at)).collect();
-    Table::new(Field::BILIARD, Cloth { surface, ..Cloth::default() }, balls).ok()
+    Table::new(Field::BILIARD, Cloth { surface, ..Cloth::default() }, balls)
 }
