@@ -101,9 +101,13 @@ fn wait<T>(what: &str, mut come: impl FnMut() -> Option<T>) -> T {
 
 impl Desktop {
     fn start(display: &str, arguments: &[&str]) -> Desktop {
-        let child = Command::new(path())
-            .args(program::ARGUMENTS)
-            .args(arguments)
+        let arguments = [&program::ARGUMENTS, arguments].concat();
+        Desktop::start_program(display, Command::new(path()).args(arguments), program::NAME)
+    }
+
+    /// Starts any program; its window bears this name.
+    fn start_program(display: &str, command: &mut Command, name: &str) -> Desktop {
+        let child = command
             .env("DISPLAY", display)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
@@ -112,7 +116,7 @@ impl Desktop {
         let program = Process(child);
         let (connection, screen) = RustConnection::connect(Some(display)).unwrap();
         let root = connection.setup().roots[screen].root;
-        let window = wait("the window", || find_window(&connection, root));
+        let window = wait("the window", || find_window(&connection, root, name));
         // There is no window manager to give the window the keyboard.
         connection.set_input_focus(InputFocus::PARENT, window, x11rb::CURRENT_TIME).unwrap();
         connection.flush().unwrap();
@@ -198,13 +202,12 @@ impl Desktop {
     }
 }
 
-/// The visible window that bears the program's name.
-fn find_window(connection: &RustConnection, root: Window) -> Option<Window> {
+/// The visible window that bears a name.
+fn find_window(connection: &RustConnection, root: Window, name: &str) -> Option<Window> {
     let windows = connection.query_tree(root).ok()?.reply().ok()?.children;
     windows.into_iter().find(|&window| {
-        let name = connection.get_property(false, window, AtomEnum::WM_NAME, AtomEnum::ANY, 0, 64);
-        let named =
-            name.is_ok_and(|name| name.reply().is_ok_and(|name| name.value == program::NAME.as_bytes()));
+        let found = connection.get_property(false, window, AtomEnum::WM_NAME, AtomEnum::ANY, 0, 64);
+        let named = found.is_ok_and(|found| found.reply().is_ok_and(|found| found.value == name.as_bytes()));
         let attributes = connection.get_window_attributes(window);
         let visible = attributes.is_ok_and(|attributes| {
             attributes.reply().is_ok_and(|attributes| attributes.map_state == MapState::VIEWABLE)
@@ -275,4 +278,44 @@ fn a_window_of_the_wanted_scale_needs_no_time_while_nothing_happens() {
     std::thread::sleep(Duration::from_secs(2));
     let ticks = used() - before;
     assert!(ticks <= 4, "{ticks} hundredths of a second of two seconds at rest");
+}
+
+/// Another window may get the release of a button; the program must not go on dragging.
+#[test]
+fn a_window_without_the_keyboard_holds_no_button() {
+    let Some((_server, display)) = server() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let record = folder.path().join("session.txt");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gb_2d_ip"));
+    command.args(["--display", "window", "--scale", "1", "--record"]).arg(&record);
+    command.env("XDG_STATE_HOME", folder.path()).env("XDG_CONFIG_HOME", folder.path());
+    let desktop = Desktop::start_program(&display, command.current_dir(folder.path()), "GB_2D_IP");
+    let recorded = |line: &str| {
+        wait(line, || {
+            let text = std::fs::read_to_string(&record).unwrap_or_default();
+            text.lines()
+                .any(|known| known == line)
+                .then(|| text.lines().filter(|&known| known == line).count())
+        })
+    };
+    let focus = |window: Window| {
+        desktop
+            .connection
+            .set_input_focus(InputFocus::NONE, window, x11rb::CURRENT_TIME)
+            .unwrap()
+            .check()
+            .unwrap();
+    };
+    desktop.fake(xproto::MOTION_NOTIFY_EVENT, 0, 100, 100);
+    desktop.fake(xproto::BUTTON_PRESS_EVENT, 1, 0, 0);
+    recorded("press left");
+    focus(desktop.root);
+    assert_eq!(recorded("release left"), 1);
+    // The real release comes too late to be another one; the next click counts.
+    desktop.fake(xproto::BUTTON_RELEASE_EVENT, 1, 0, 0);
+    focus(desktop.window);
+    desktop.fake(xproto::BUTTON_PRESS_EVENT, 1, 0, 0);
+    desktop.fake(xproto::BUTTON_RELEASE_EVENT, 1, 0, 0);
+    wait("the second click", || (recorded("release left") == 2).then_some(()));
+    assert_eq!(recorded("press left"), 2);
 }
