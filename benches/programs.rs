@@ -14,7 +14,8 @@ use std::hint::black_box;
 use std::process::Command;
 use std::time::Duration;
 
-const MANUAL: Manual = Manual { name: "bench", about: Words("", ""), keys: &[], lesson: &[] };
+const MANUAL: Manual =
+    Manual { name: "bench", about: Words("", ""), intro: Words("", ""), keys: &[], lesson: &[] };
 
 /// 99 points on a rose of the field.
 fn rose() -> Vec<[f64; 2]> {

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 const MANUAL: Manual = Manual {
     name: "own_program",
     about: Words("Pascal háromszöge", "Pascal's triangle"),
+    intro: Words("", ""),
     keys: &[
         (Words("Fel Le", "Up Down"), Words("kevesebb, több sor", "fewer, more rows")),
         (Words("M", "M"), Words("maradékok modulo 2, 3, ... 7", "remainders modulo 2, 3, ... 7")),

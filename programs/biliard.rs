@@ -13,6 +13,7 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "biliard",
     about: Words("Biliárd tizenegy golyóval", "Billiards with eleven balls"),
+    intro: Words("", ""),
     keys: player::KEYS,
     lesson: &[],
 };

@@ -17,6 +17,7 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "csango_k",
     about: Words("A Csángó kocka tizennégy eleme", "The fourteen pieces of the Csángó cube"),
+    intro: Words("", ""),
     keys: player::KEYS,
     lesson: &[],
 };

@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 const MANUAL: Manual = Manual {
     name: "csav_gy",
     about: Words("Csavart gyűrű minden oldalról", "A twisted ring from all sides"),
+    intro: Words("", ""),
     keys: net::SHOW_KEYS,
     lesson: &[],
 };

@@ -11,6 +11,7 @@ use serde::Serialize;
 const MANUAL: Manual = Manual {
     name: "eg_kz_k",
     about: Words("Az egérkurzor két maszkja", "The two masks of the mouse pointer"),
+    intro: Words("", ""),
     keys: &[
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer")),
         (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink")),

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_em_spl",
         about: Words("Magasságok spline felülete", "Spline surfaces of heights over a grid"),
+        intro: Words("", ""),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bets",
         about: Words("Nyílt béta-spline felület", "Open beta-spline surfaces"),
+        intro: Words("", ""),
         keys: net::BETA_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bezr",
         about: Words("Bézier-féle felületfolt", "The Bézier patch"),
+        intro: Words("", ""),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bspl",
         about: Words("Nyílt B-spline felület", "Open B-spline surfaces"),
+        intro: Words("", ""),
         keys: net::B_SPLINE_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_herm",
         about: Words("Hermite-féle felületfolt", "A Hermite patch: corners, tangents, twists"),
+        intro: Words("", ""),
         keys: net::KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_hspl",
         about: Words("Nyílt helyi spline felület", "Open surfaces by local splines"),
+        intro: Words("", ""),
         keys: net::LOCAL_KEYS,
         lesson: &[],
     },

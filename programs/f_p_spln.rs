@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_spln",
         about: Words("Nyílt spline felület", "Open spline surfaces"),
+        intro: Words("", ""),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -11,6 +11,7 @@ const MANUAL: Manual = Manual {
         "Síkgörbék β-spline közelítéssel: eltolás, feszültség",
         "Plane beta-splines: bias and tension",
     ),
+    intro: Words("", ""),
     keys: curve::BETA_KEYS,
     lesson: &[],
 };

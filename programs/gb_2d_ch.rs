@@ -12,6 +12,7 @@ const MANUAL: Manual = Manual {
         "Coons-Hermite síkgörbék saját érintőkkel",
         "Plane Coons-Hermite curves with tangents of your own",
     ),
+    intro: Words("", ""),
     keys: curve::TANGENT_KEYS,
     lesson: &[],
 };

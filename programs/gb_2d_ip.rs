@@ -12,6 +12,7 @@ const MANUAL: Manual = Manual {
         "Síkgörbék: Coons, Bézier, spline, B-spline",
         "Plane curves: Coons, Bézier, spline, B-spline",
     ),
+    intro: Words("", ""),
     keys: curve::METHOD_KEYS,
     lesson: &[],
 };

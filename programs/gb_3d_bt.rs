@@ -12,6 +12,7 @@ const MANUAL: Manual = Manual {
         "Térbeli béta-spline eltolással és feszültséggel",
         "Beta-splines in space with bias and tension",
     ),
+    intro: Words("", ""),
     keys: curve::SPACE_BETA_KEYS,
     lesson: &[],
 };

@@ -13,6 +13,7 @@ const MANUAL: Manual = Manual {
         "Térgörbék: Coons, Bézier, spline, B-spline",
         "Curves in space: Coons, Bézier, spline, B-spline",
     ),
+    intro: Words("", ""),
     keys: curve::SPACE_METHOD_KEYS,
     lesson: &[],
 };

@@ -8,6 +8,7 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "gb_p_2d",
     about: Words("Síkgörbék Fourier-együtthatókkal", "Plane curves by Fourier coefficients"),
+    intro: Words("", ""),
     keys: fourier::KEYS,
     lesson: &[],
 };

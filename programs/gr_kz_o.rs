@@ -13,6 +13,7 @@ const MANUAL: Manual = Manual {
         "Grafikus kurzor OR és XOR művelettel, mentett háttérrel",
         "A graphic cursor by or and exclusive-or, background saved",
     ),
+    intro: Words("", ""),
     keys: &[
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),
         (Words("Esc", "Esc"), Words("vége", "end")),

@@ -9,6 +9,7 @@ use crate::ui::{CommandLine, Demo, Lesson, Manual, Program, Words, without_docum
 const MANUAL: Manual = Manual {
     name: "gr_kz_x",
     about: Words("Grafikus kurzor XOR művelettel", "A graphic cursor by exclusive-or"),
+    intro: Words("", ""),
     keys: &[
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),
         (Words("Esc", "Esc"), Words("vége", "end")),

@@ -14,6 +14,7 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "gyongy_k",
     about: Words("Gyöngykerék, logikai játék", "The bead wheel, a logic puzzle"),
+    intro: Words("", ""),
     keys: player::KEYS,
     lesson: &[],
 };

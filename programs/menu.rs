@@ -18,6 +18,7 @@ use std::time::Duration;
 const MANUAL: Manual = Manual {
     name: "grafika",
     about: Words("A könyv programjai", "The programs of the book"),
+    intro: Words("", ""),
     keys: &[
         (Words("Fel Le", "Up Down"), Words("választás", "choose")),
         (Words("Bal Jobb", "Left Right"), Words("előző, következő csoport", "previous, next group")),

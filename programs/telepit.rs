@@ -22,6 +22,7 @@ use installer::Installer;
 const MANUAL: Manual = Manual {
     name: "telepit",
     about: Words("Telepítő: programok és példák mappába", "Installer: programs and samples into a folder"),
+    intro: Words("", ""),
     keys: texts::HELP,
     lesson: &[],
 };

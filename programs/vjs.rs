@@ -49,6 +49,7 @@ const COMMANDS: Commands<Action> = Commands(&[
 const MANUAL: Manual = Manual {
     name: "vjs",
     about: Words("Virtuális joystick: gyorsulás egérrel", "A virtual joystick: acceleration by mouse"),
+    intro: Words("", ""),
     keys: &COMMANDS.help::<{ COMMANDS.lines() }>(),
     lesson: &[
         Lesson::Line(Words(

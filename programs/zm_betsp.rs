@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_betsp",
         about: Words("Gömb topológiájú béta-spline felület", "Beta-spline surfaces closed like a sphere"),
+        intro: Words("", ""),
         keys: net::BETA_KEYS,
         lesson: &[],
     },

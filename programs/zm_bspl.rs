@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_bspl",
         about: Words("Gömb topológiájú B-spline felület", "B-spline surfaces closed like a sphere"),
+        intro: Words("", ""),
         keys: net::B_SPLINE_KEYS,
         lesson: &[],
     },

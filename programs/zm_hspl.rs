@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_hspl",
         about: Words("Gömb topológiájú helyi spline felület", "Surfaces like a sphere by local splines"),
+        intro: Words("", ""),
         keys: net::LOCAL_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_spln",
         about: Words("Gömb topológiájú spline felület", "Spline surfaces closed like a sphere"),
+        intro: Words("", ""),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_betsp",
         about: Words("Gyűrű topológiájú béta-spline felület", "Beta-spline surfaces closed like a ring"),
+        intro: Words("", ""),
         keys: net::BETA_KEYS,
         lesson: &[],
     },

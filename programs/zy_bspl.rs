@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_bspl",
         about: Words("Gyűrű topológiájú B-spline felület", "B-spline surfaces closed like a ring"),
+        intro: Words("", ""),
         keys: net::B_SPLINE_KEYS,
         lesson: &[],
     },

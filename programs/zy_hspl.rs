@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_hspl",
         about: Words("Gyűrű topológiájú helyi spline felület", "Surfaces like a ring by local splines"),
+        intro: Words("", ""),
         keys: net::LOCAL_KEYS,
         lesson: &[],
     },

@@ -10,6 +10,7 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_spln",
         about: Words("Gyűrű topológiájú spline felület", "Spline surfaces closed like a ring"),
+        intro: Words("", ""),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

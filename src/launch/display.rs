@@ -5,18 +5,24 @@ use super::{DisplayKind, Failure, RunOptions};
 use crate::disk::{read_limited, read_stream, text};
 #[cfg(feature = "window")]
 use crate::display::window;
-use crate::machine::{Manner, Recorder, Script, Session, play};
+use crate::machine::{Recorder, Script, Session, play};
 use std::fs::File;
 use std::io::IsTerminal;
 use std::path::Path;
 
-/// Shows a session until it has ended.
-pub(super) fn show(mut session: Session, name: &str, options: &RunOptions) -> Result<(), Failure> {
+/// Shows a session, or plays a script in it, until it has ended.
+pub(super) fn show(
+    mut session: Session,
+    name: &str,
+    options: &RunOptions,
+    script: Option<&Script>,
+) -> Result<(), Failure> {
     if let Some(path) = &options.record {
-        session.record(recorder(path, name, &session, options)?);
+        session.record(recorder(path, name)?);
     }
-    let shown = match (&options.script, options.display) {
-        (Some(path), _) => run_script(&mut session, path),
+    let shown = match (script, options.display) {
+        (Some(script), _) => play(&mut session, script, &mut Disk)
+            .map_err(|error| Failure::work(format!("{}: {error}", path_of(options.script.as_deref())))),
         (None, Some(DisplayKind::None)) => {
             Err(Failure::usage("--display none shows nothing and waits for ever; it needs --script FILE"))
         }
@@ -52,20 +58,18 @@ fn path_of(path: Option<&Path>) -> String {
     path.map(|path| path.display().to_string()).unwrap_or_default()
 }
 
-fn recorder(path: &Path, name: &str, session: &Session, options: &RunOptions) -> Result<Recorder, Failure> {
+fn recorder(path: &Path, name: &str) -> Result<Recorder, Failure> {
     let file = File::create(path).map_err(|error| Failure::work(format!("{}: {error}", path.display())))?;
-    let manner = if options.manner() == Manner::Today { "today" } else { "1997" };
-    let comment = format!("{name} --lang {} --manner {manner}", session.language().code());
-    Ok(Recorder::new(Box::new(file), &comment))
+    Ok(Recorder::new(Box::new(file), name))
 }
 
-fn run_script(session: &mut Session, path: &Path) -> Result<(), Failure> {
+/// The script of a path; `-` is standard input.
+pub(super) fn read_script(path: &Path) -> Result<Script, Failure> {
     let shown = path.display();
     let read = if path == Path::new("-") { read_stream(std::io::stdin().lock()) } else { read_limited(path) };
     let text = read.and_then(text);
     let text = text.map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
-    let script = Script::parse(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
-    play(session, &script, &mut Disk).map_err(|error| Failure::work(format!("{shown}: {error}")))
+    Script::parse(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
 }
 
 /// Shows a session in a window, or in the terminal where none can be opened.

@@ -89,7 +89,9 @@ impl Program {
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
         let (path, run_options) = (options.file.as_deref(), options.run.preferred());
-        let mut machine = run_options.machine(path.map_or_else(|| run_options.folder(), folder_of));
+        let script = run_options.script.as_deref().map(display::read_script).transpose()?;
+        let folder = path.map_or_else(|| run_options.folder(), folder_of);
+        let mut machine = run_options.machine(folder, script.as_ref());
         // Through the machine's own storage, which remembers what was read.
         let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
         if let Some(Opened { name, document: Document::Tangents(_), .. }) = &opened {
@@ -108,6 +110,6 @@ impl Program {
             )
         })?;
         let session = Session::start(machine, move |mut machine| async move { start(&mut machine).await });
-        display::show(session, self.manual.name, &run_options)
+        display::show(session, self.manual.name, &run_options, script.as_ref())
     }
 }

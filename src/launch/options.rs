@@ -2,7 +2,8 @@
 
 use super::config;
 use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
-use crate::machine::{Language, Machine, Manner, Preferences, Settings, Shown};
+use crate::machine::{Language, Machine, Manner, Preferences, Script, Settings, Shown};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -31,14 +32,6 @@ impl Code {
             Language::English => Code::En,
         }
     }
-}
-
-/// How a program behaves, by its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MannerName {
-    Today,
-    #[value(name = "1997")]
-    Original,
 }
 
 /// A program's command line.
@@ -72,9 +65,9 @@ pub struct RunOptions {
     /// Where random numbers start from
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Behaviour; without it that of 1997 in scripts, else that of today
-    #[arg(long, value_enum, value_name = "MANNER")]
-    manner: Option<MannerName>,
+    /// Behaviour; without it that of 1997 in scripts, else as in the settings
+    #[arg(long, value_name = "MANNER", value_parser = manner_parser())]
+    manner: Option<Manner>,
     /// What the user has chosen for all programs, once it has been looked up.
     #[arg(skip)]
     preferences: Option<Preferences>,
@@ -91,13 +84,10 @@ impl RunOptions {
         }
     }
 
-    /// How programs behave: as asked for, as in 1997 in scripts, else as today.
+    /// How programs behave: as asked for, as in 1997 in scripts, else as the user prefers.
     pub(super) fn manner(&self) -> Manner {
-        match self.manner {
-            Some(MannerName::Today) => Manner::Today,
-            None if self.script.is_none() => Manner::Today,
-            Some(MannerName::Original) | None => Manner::Original,
-        }
+        let usual = || self.preferences.as_ref().map_or(Manner::Today, |preferences| preferences.manner);
+        self.manner.unwrap_or_else(|| if self.script.is_some() { Manner::Original } else { usual() })
     }
 
     /// These options with a language.
@@ -140,9 +130,10 @@ impl RunOptions {
     /// A machine with these options and a folder for its files. Scripts keep no unsaved work, so that they play alike
     /// every time. A recorded session keeps its work but is offered none, since the question would not come again when
     /// it is replayed.
-    pub(super) fn machine(&self, folder: PathBuf) -> Machine {
+    pub(super) fn machine(&self, folder: PathBuf, script: Option<&Script>) -> Machine {
         let seed = self.seed.unwrap_or(Settings::default().seed);
         let settings = Settings { language: self.language(), seed, manner: self.manner() };
+        let settings = script.map_or(settings, |script| script.begun_with(settings));
         let recovery = || {
             let offers = if self.record.is_some() { Offers::Nothing } else { Offers::Lost };
             RecoveryFolder::new(UserFolder::State.path(), &folder, offers)
@@ -159,6 +150,12 @@ impl RunOptions {
             None => machine,
         }
     }
+}
+
+/// The manners by their names.
+fn manner_parser() -> impl TypedValueParser<Value = Manner> {
+    let names = [Manner::Today, Manner::Original].map(Manner::name);
+    PossibleValuesParser::new(names).map(|name| Manner::from_name(&name).unwrap_or_default())
 }
 
 /// Hungarian where the locale says so, English elsewhere.

@@ -106,6 +106,25 @@ pub enum Manner {
     Today,
 }
 
+impl Manner {
+    /// The manner of a name as `--manner` takes it.
+    pub fn from_name(name: &str) -> Option<Manner> {
+        match name {
+            "1997" => Some(Manner::Original),
+            "today" => Some(Manner::Today),
+            _ => None,
+        }
+    }
+
+    /// The name as `--manner` takes it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Manner::Original => "1997",
+            Manner::Today => "today",
+        }
+    }
+}
+
 /// The mouse pointer that a program wants to be shown.
 #[derive(Clone, Copy, Debug)]
 pub enum Pointer {
@@ -141,7 +160,6 @@ pub struct Machine {
     keeper: Option<Box<dyn Keeper>>,
     file: Option<String>,
     seed: u64,
-    manner: Manner,
     film: Option<Film>,
     visit: Visit,
 }
@@ -168,6 +186,7 @@ impl Machine {
             filming: false,
             lost: None,
             language: settings.language,
+            manner: settings.manner,
             preferences: Preferences::default(),
             answer: None,
         };
@@ -179,7 +198,6 @@ impl Machine {
             keeper: None,
             file: None,
             seed: settings.seed,
-            manner: settings.manner,
             film: None,
             visit: Visit::None,
         }
@@ -241,7 +259,7 @@ impl Machine {
 
     /// How programs behave (`--manner`).
     pub fn manner(&self) -> Manner {
-        self.manner
+        self.port.borrow().manner
     }
 
     /// The position of the mouse and its buttons.
@@ -276,7 +294,7 @@ impl Machine {
         self.port.borrow().preferences.clone()
     }
 
-    /// Changes what the user has chosen: colours and language at once, the rest at the next start.
+    /// Changes what the user has chosen: colours, language and manner at once, the rest at the next start.
     ///
     /// # Errors
     /// Why it cannot be kept; it counts until the program ends.
@@ -285,7 +303,11 @@ impl Machine {
             self.set_language(language);
         }
         let kept = self.keeper.as_mut().map_or(Ok(()), |keeper| keeper.keep(&preferences));
-        self.port.borrow_mut().preferences = preferences;
+        let mut port = self.port.borrow_mut();
+        if preferences.manner != port.preferences.manner {
+            port.manner = preferences.manner;
+        }
+        port.preferences = preferences;
         kept
     }
 

@@ -4,7 +4,7 @@
 //! turn. The screen is moved from one to the other at the await, so neither has to share it.
 
 use super::event::{Mouse, Tick};
-use super::{Asked, Language, Pointer, Preferences, StorageError};
+use super::{Asked, Language, Manner, Pointer, Preferences, StorageError};
 use crate::screen::Screen;
 use serde::Serialize;
 use std::cell::RefCell;
@@ -46,6 +46,7 @@ pub(super) struct Port {
     pub(super) wait: Wait,
     pub(super) model: Option<Box<dyn Model>>,
     pub(super) language: Language,
+    pub(super) manner: Manner,
     pub(super) preferences: Preferences,
     /// Whether a film is being recorded.
     pub(super) filming: bool,

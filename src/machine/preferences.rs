@@ -1,11 +1,11 @@
 //! The user's preferences, shared by all programs. Values only: where they are kept is decided by whoever starts the
 //! programs, and reached through [`Keeper`].
 
-use super::Language;
+use super::{Language, Manner};
 use crate::screen::Palette;
 
 /// The preferences. What is not set is left to the environment.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Preferences {
     /// The language of the texts at the start.
     pub language: Option<Language>,
@@ -13,12 +13,28 @@ pub struct Preferences {
     pub display: Option<Shown>,
     /// The window's size as a multiple of 640x480, 1 to 16.
     pub scale: Option<u32>,
+    /// How programs behave; scripts have their own default.
+    pub manner: Manner,
     /// How the colours look.
     pub palette: Palette,
     /// How many letters Ctrl with an arrow key moves the mouse in the terminal, 1 to 8.
     pub pointer_speed: PointerSpeed,
     /// The folder of programs that were started without a file.
     pub folder: Option<String>,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Preferences {
+            language: None,
+            display: None,
+            scale: None,
+            manner: Manner::Today,
+            palette: Palette::default(),
+            pointer_speed: PointerSpeed::default(),
+            folder: None,
+        }
+    }
 }
 
 /// A place for programs to show themselves.
@@ -55,6 +71,7 @@ pub enum Preference {
     Language,
     Display,
     Scale,
+    Manner,
     Palette,
     PointerSpeed,
     Folder,
@@ -66,6 +83,7 @@ const SCALES: [&str; 9] = [AUTO, "1", "2", "3", "4", "5", "6", "7", "8"];
 const SPEEDS: [&str; 5] = ["1", "2", "3", "4", "8"];
 const LANGUAGES: [&str; 3] = [AUTO, "hu", "en"];
 const DISPLAYS: [&str; 3] = [AUTO, "window", "terminal"];
+const MANNERS: [&str; 2] = [Manner::Today.name(), Manner::Original.name()];
 const PALETTES: [&str; 5] = [
     Palette::Vga.name(),
     Palette::Amber.name(),
@@ -76,10 +94,11 @@ const PALETTES: [&str; 5] = [
 
 impl Preference {
     /// Everything, in the order of the settings page.
-    pub const ALL: [Preference; 6] = [
+    pub const ALL: [Preference; 7] = [
         Preference::Language,
         Preference::Display,
         Preference::Scale,
+        Preference::Manner,
         Preference::Palette,
         Preference::PointerSpeed,
         Preference::Folder,
@@ -92,6 +111,7 @@ impl Preference {
             Preference::Language => "language",
             Preference::Display => "display",
             Preference::Scale => "scale",
+            Preference::Manner => "manner",
             Preference::Palette => "palette",
             Preference::PointerSpeed => "pointer_speed",
             Preference::Folder => "folder",
@@ -111,6 +131,7 @@ impl Preference {
             Preference::Language => &LANGUAGES,
             Preference::Display => &DISPLAYS,
             Preference::Scale => &SCALES,
+            Preference::Manner => &MANNERS,
             Preference::Palette => &PALETTES,
             Preference::PointerSpeed => &SPEEDS,
             Preference::Folder => &[],
@@ -131,6 +152,7 @@ impl Preferences {
             }
             .to_string(),
             Preference::Scale => self.scale.map_or(AUTO.to_string(), |scale| scale.to_string()),
+            Preference::Manner => self.manner.name().to_string(),
             Preference::Palette => self.palette.name().to_string(),
             Preference::PointerSpeed => self.pointer_speed.0.to_string(),
             Preference::Folder => self.folder.clone().unwrap_or_default(),
@@ -164,6 +186,7 @@ impl Preferences {
             }
             Preference::Scale if value == AUTO => self.scale = None,
             Preference::Scale => self.scale = Some(number(16)?),
+            Preference::Manner => self.manner = Manner::from_name(value).ok_or_else(wrong)?,
             Preference::Palette => self.palette = Palette::from_name(value).ok_or_else(wrong)?,
             Preference::PointerSpeed => self.pointer_speed = PointerSpeed(number(8)? as u8),
             Preference::Folder => self.folder = Some(value.to_string()).filter(|folder| !folder.is_empty()),

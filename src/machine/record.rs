@@ -1,6 +1,7 @@
 //! Writes a session down as a script that replays to the same pictures.
 
 use super::event::{Event, Key};
+use super::{Language, Manner};
 use std::io::{self, Write};
 use std::time::Duration;
 
@@ -18,6 +19,12 @@ impl Recorder {
         let mut recorder = Recorder { output, written_until: Duration::ZERO, problem: None };
         recorder.line(&format!("# {comment}"));
         recorder
+    }
+
+    /// Writes how the program speaks and behaves at the start.
+    pub(super) fn begin(&mut self, language: Language, manner: Manner) {
+        self.line(&format!("lang {}", language.code()));
+        self.line(&format!("manner {}", manner.name()));
     }
 
     /// Writes one event that happened at `now`, a moment in whole milliseconds.

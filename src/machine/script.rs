@@ -2,6 +2,7 @@
 
 use super::event::{Button, Event, Key};
 use super::session::Session;
+use super::{Language, Manner, Settings};
 use crate::screen::Screen;
 use std::fmt;
 use std::time::Duration;
@@ -33,6 +34,10 @@ pub enum Command {
     Dump(String),
     /// Whether pictures show the mouse pointer from now on.
     Pointer(bool),
+    /// The language that the program speaks from now on.
+    Language(Language),
+    /// How the program behaves from now on.
+    Manner(Manner),
     /// The close button.
     Close,
 }
@@ -82,6 +87,21 @@ impl Script {
     }
 }
 
+impl Script {
+    /// The settings that a script begins with: those lines count from the very start of the program.
+    #[must_use]
+    pub fn begun_with(&self, mut settings: Settings) -> Settings {
+        for (_, command) in &self.commands {
+            match command {
+                Command::Language(language) => settings.language = *language,
+                Command::Manner(manner) => settings.manner = *manner,
+                _ => break,
+            }
+        }
+        settings
+    }
+}
+
 fn parse_line(line: &str) -> Result<Command, String> {
     let line = line.trim_start();
     let (verb, rest) = line.split_once(' ').unwrap_or((line, ""));
@@ -116,6 +136,10 @@ fn parse_line(line: &str) -> Result<Command, String> {
         ("dump", [_, ..]) => Ok(Command::Dump(rest.trim().to_string())),
         ("pointer", ["on"]) => Ok(Command::Pointer(true)),
         ("pointer", ["off"]) => Ok(Command::Pointer(false)),
+        ("lang", ["hu"]) => Ok(Command::Language(Language::Hungarian)),
+        ("lang", ["en"]) => Ok(Command::Language(Language::English)),
+        ("manner", ["today"]) => Ok(Command::Manner(Manner::Today)),
+        ("manner", ["1997"]) => Ok(Command::Manner(Manner::Original)),
         ("close", []) => Ok(Command::Close),
         (verb, _) => Err(match FORMS.iter().find(|(known, _)| *known == verb) {
             Some((_, form)) => format!("{line:?} should be \"{form}\""),
@@ -128,7 +152,7 @@ fn parse_line(line: &str) -> Result<Command, String> {
 }
 
 /// Every command with its form, for messages.
-const FORMS: [(&str, &str); 13] = [
+const FORMS: [(&str, &str); 15] = [
     ("key", "key NAME"),
     ("type", "type TEXT"),
     ("move", "move X Y"),
@@ -141,6 +165,8 @@ const FORMS: [(&str, &str); 13] = [
     ("shot", "shot FILE.png"),
     ("dump", "dump FILE.json"),
     ("pointer", "pointer on|off"),
+    ("lang", "lang hu|en"),
+    ("manner", "manner today|1997"),
     ("close", "close"),
 ];
 
@@ -195,6 +221,8 @@ pub fn play(session: &mut Session, script: &Script, outlet: &mut dyn Outlet) -> 
                 session.settle(now);
             }
             Command::Pointer(on) => pointer = *on,
+            Command::Language(language) => session.set_language(*language),
+            Command::Manner(manner) => session.set_manner(*manner),
             Command::Shot(path) => {
                 let mut screen = session.screen().clone();
                 if let (true, Some((masks, x, y))) = (pointer, session.pointer()) {
@@ -234,7 +262,12 @@ fn events(command: &Command) -> Vec<Event> {
         ],
         Command::Wheel(steps) => vec![Event::Wheel(*steps)],
         Command::Close => vec![Event::Close],
-        Command::Wait(_) | Command::Shot(_) | Command::Dump(_) | Command::Pointer(_) => Vec::new(),
+        Command::Wait(_)
+        | Command::Shot(_)
+        | Command::Dump(_)
+        | Command::Pointer(_)
+        | Command::Language(_)
+        | Command::Manner(_) => Vec::new(),
     }
 }
 

@@ -6,7 +6,7 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Asked, Language, Machine, Pointer, PointerSpeed, Stop, StorageError};
+use super::{Asked, Language, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
@@ -47,8 +47,11 @@ impl Session {
         session
     }
 
-    /// Writes every event from now on as a script.
-    pub fn record(&mut self, recorder: Recorder) {
+    /// Writes every event from now on as a script, after the language and the manner.
+    pub fn record(&mut self, mut recorder: Recorder) {
+        let port = self.port.borrow();
+        recorder.begin(port.language, port.manner);
+        drop(port);
         self.recorder = Some(recorder);
     }
 
@@ -100,6 +103,25 @@ impl Session {
     /// The language that the program speaks now.
     pub fn language(&self) -> Language {
         self.port.borrow().language
+    }
+
+    /// Changes the language that the program speaks, as a script does; the program draws itself again.
+    pub fn set_language(&mut self, language: Language) {
+        let before = std::mem::replace(&mut self.port.borrow_mut().language, language);
+        self.redraw_if(before != language);
+    }
+
+    /// Changes how the program behaves, as a script does.
+    pub fn set_manner(&mut self, manner: Manner) {
+        let before = std::mem::replace(&mut self.port.borrow_mut().manner, manner);
+        self.redraw_if(before != manner);
+    }
+
+    fn redraw_if(&mut self, changed: bool) {
+        let now = self.port.borrow().now;
+        if changed && !self.ended() {
+            self.deliver(None, now);
+        }
     }
 
     /// How the colours are to look.

@@ -1,10 +1,11 @@
 //! The desk a program works at: the machine, the keys that mean the same everywhere, and the help page.
 
+use super::ask::TOP;
 use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
-use crate::figure::Figure;
-use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Tick};
+use crate::figure::{Figure, wrap};
+use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::pin::Pin;
 use std::time::Duration;
@@ -18,6 +19,39 @@ pub trait Picture {
     /// is saved then.
     fn figure(&self) -> Option<Figure> {
         None
+    }
+
+    /// What can be done now, which is shown where nothing is asked, in the manner of today.
+    fn hint(&self) -> Option<Hint> {
+        None
+    }
+}
+
+/// What can be done now, in at most [`HINT_LINES`] lines.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hint {
+    /// The upper left corner of the text.
+    pub at: (i32, i32),
+    /// Letters in a line.
+    pub letters: usize,
+    /// The text, with its keys.
+    pub text: Phrase,
+}
+
+/// Lines of a hint.
+pub const HINT_LINES: usize = 3;
+
+impl Hint {
+    /// A hint on the communication page at the top.
+    pub fn new(text: impl Into<Phrase>) -> Hint {
+        Hint { at: (TOP.0 + 8, TOP.1 + 7), letters: 28, text: text.into() }
+    }
+
+    fn draw(&self, screen: &mut Screen, language: Language) {
+        let (x, y) = self.at;
+        for (row, line) in (0..).zip(wrap(self.text.of(language), self.letters).iter().take(HINT_LINES)) {
+            screen.text(x, y + 11 * row, line, Color::Black);
+        }
     }
 }
 
@@ -66,6 +100,8 @@ pub struct Manual {
     pub name: &'static str,
     /// What it is for, in one line.
     pub about: Words,
+    /// What it is, what to try first, and the idea behind it, in three sentences: how the help page begins.
+    pub intro: Words,
     /// Its keys.
     pub keys: &'static [KeyHelp],
     /// What it teaches, shown under the keys; empty for most.
@@ -204,6 +240,9 @@ impl<'m> Desk<'m> {
     fn draw(&mut self, picture: &dyn Picture) {
         let language = self.machine.language();
         picture.draw(self.machine.screen(), language);
+        if let (Manner::Today, Some(hint)) = (self.machine.manner(), picture.hint()) {
+            hint.draw(self.machine.screen(), language);
+        }
         let (filmed, other) = match self.notice.take() {
             Some(notice) if notice.filmed => (Some(notice), None),
             notice => (None, notice),
@@ -285,8 +324,10 @@ const COMMON_KEYS: &[KeyHelp] = &[
     (Words("Esc", "Esc"), words::HELP_ESC),
 ];
 
-/// Upper edge of the first key on the help page.
-const KEYS_TOP: i32 = 80;
+/// Upper edge of the introduction on the help page.
+const INTRO_TOP: i32 = 68;
+/// Letters in a line of the introduction.
+const INTRO_LETTERS: usize = 70;
 
 fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     screen.clear(Color::LightCyan);
@@ -295,7 +336,13 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     super::frame::sunken(screen, inner, 4);
     screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
     screen.text(40, 52, manual.about.of(language), Color::White);
-    let mut y = KEYS_TOP;
+    let mut y = INTRO_TOP;
+    let intro = wrap(manual.intro.of(language), INTRO_LETTERS);
+    for line in intro.iter().filter(|line| !line.is_empty()) {
+        screen.text(40, y, line, Color::LightCyan);
+        y += 11;
+    }
+    y += 12;
     // A program's own meaning of a key replaces the common one.
     let own =
         |key: &str| manual.keys.iter().any(|(keys, _)| keys.of(language).split(' ').any(|own| own == key));
@@ -303,7 +350,7 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     let lines: Vec<&KeyHelp> = manual.keys.iter().chain(common).collect();
     let count = i32::try_from(lines.len()).unwrap_or(i32::MAX).max(1);
     // Where there is much to say, the lines move together.
-    let room = HEIGHT - 48 - KEYS_TOP - lesson::height(manual.lesson);
+    let room = HEIGHT - 48 - y - lesson::height(manual.lesson);
     let line = (room / count).clamp(9, 16);
     for (keys, what) in lines {
         screen.text(40, y, keys.of(language), Color::LightRed);

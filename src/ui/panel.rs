@@ -275,7 +275,7 @@ mod tests {
 
     /// The model after keys, the row of the button that was pressed last, and a pixel of the preview.
     fn after(keys: &str) -> (Vec<f64>, Option<usize>, Option<Color>) {
-        let manual = Manual { name: "panel", about: NAME, keys: &[], lesson: &[] };
+        let manual = Manual { name: "panel", about: NAME, intro: Words("", ""), keys: &[], lesson: &[] };
         let machine = Machine::new(Box::new(Memory::default()), Settings::default());
         let mut session = Session::start(machine, move |mut machine| async move {
             let (mut panel, mut model) = (panel(), [5.0, 0.0]);

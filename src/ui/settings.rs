@@ -9,7 +9,7 @@ use crate::machine::{Asked, Asking, Language, Preference, Preferences};
 use crate::screen::{Color, Screen};
 
 /// Where the page lies.
-const PAGE: Area = Area::new(88, 120, 551, 345);
+const PAGE: Area = Area::new(88, 110, 551, 355);
 /// Letters of a value that the page has room for.
 const ROOM: usize = 27;
 const fn name(preference: Preference) -> Words {
@@ -17,6 +17,7 @@ const fn name(preference: Preference) -> Words {
         Preference::Language => Words("Nyelv", "Language"),
         Preference::Display => Words("Hol jelenjen meg", "Where to show"),
         Preference::Scale => Words("Az ablak nagyítása", "Scale of the window"),
+        Preference::Manner => Words("Viselkedés", "Manner"),
         Preference::Palette => Words("Színek", "Colours"),
         Preference::PointerSpeed => Words("Az egér lépése (betű)", "Mouse step (letters)"),
         Preference::Folder => Words("A fileok mappája", "Folder of the files"),
@@ -33,6 +34,8 @@ fn shown(preference: Preference, value: &str, language: Language) -> String {
         (_, "window") => Words("ablakban", "in a window"),
         (_, "terminal") => Words("a terminálban", "in the terminal"),
         (_, "vga") => Words("VGA", "VGA"),
+        (_, "today") => Words("mai", "of today"),
+        (_, "1997") => Words("mint 1997-ben", "as in 1997"),
         (_, "amber") => Words("borostyán", "amber"),
         (_, "green") => Words("zöld", "green"),
         (_, "contrast") => Words("nagy kontraszt", "high contrast"),
