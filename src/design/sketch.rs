@@ -165,6 +165,18 @@ impl<const D: usize> Sketch<D>
 where
     Point<D>: Place,
 {
+    /// The sketch as a closed one without its last point, if that repeats the first and nothing is said about ends.
+    #[must_use]
+    pub fn closed_up(&self) -> Sketch<D> {
+        let repeats = self.points.len() > 3 && self.points.first() == self.points.last();
+        if !repeats || self.settings.closed.is_some() {
+            return self.clone();
+        }
+        let mut closed = self.edited(Edit::Delete(self.points.len() - 1));
+        closed.settings.closed = Some(true);
+        closed
+    }
+
     /// The sketch after an edit of its points; tangents and joints follow their points. A new point has a zero tangent
     /// and the common shape.
     #[must_use]

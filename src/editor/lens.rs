@@ -3,7 +3,7 @@
 use super::field;
 use crate::figure::{Axes, Figure};
 use crate::geometry::{BoundingBox, ParamCurve, Point};
-use crate::machine::{Language, Tick};
+use crate::machine::{Button, Language, Tick};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::axes::{draw_axes, draw_legend};
 use crate::ui::look::{Look, Viewer, pixel};
@@ -39,6 +39,8 @@ pub(super) trait Lens<const D: usize> {
     fn look_around(&mut self, _: &Tick) -> bool {
         false
     }
+    /// Takes up the ground with the left button, to turn it.
+    fn grab(&mut self, _: (i32, i32)) {}
     /// Ends a turn by the mouse that has been interrupted.
     fn stop(&mut self) {}
     /// What lies under the picture: grid or axes.
@@ -58,6 +60,13 @@ const ORIGIN: (i32, i32) = (41, 450);
 /// Where the mouse can drag a point to.
 const REACH: Area = Area::new(41, 10, 620, 450);
 
+impl Field {
+    /// The place of a pixel.
+    pub(super) fn place(self, (x, y): (i32, i32)) -> Point<2> {
+        [f64::from(x - ORIGIN.0), f64::from(ORIGIN.1 - y)]
+    }
+}
+
 impl Lens<2> for Field {
     fn pixel(&self, [x, y]: Point<2>) -> (i32, i32) {
         (ORIGIN.0 + pixel(x), ORIGIN.1 - pixel(y))
@@ -66,7 +75,7 @@ impl Lens<2> for Field {
     fn dragged<H>(&self, held: &Held<H, 2>, (x, y): (i32, i32)) -> Option<Point<2>> {
         let at = self.pixel(held.at);
         let (to_x, to_y) = (x.clamp(REACH.x1, REACH.x2), y.clamp(REACH.y1, REACH.y2));
-        is_drag(at, (x, y)).then(|| [f64::from(to_x - ORIGIN.0), f64::from(ORIGIN.1 - to_y)])
+        is_drag(at, (x, y)).then(|| self.place((to_x, to_y)))
     }
 
     fn flat(&self, place: Point<2>) -> Point<2> {
@@ -151,6 +160,10 @@ impl Lens<3> for Viewer {
 
     fn look_around(&mut self, tick: &Tick) -> bool {
         Viewer::look_around(self, tick)
+    }
+
+    fn grab(&mut self, at: (i32, i32)) {
+        self.turn(at, Button::Left);
     }
 
     fn stop(&mut self) {

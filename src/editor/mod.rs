@@ -19,10 +19,11 @@ mod stage;
 
 use crate::file::{Document, Format, Method};
 use crate::geometry::Point;
-use crate::machine::{Asked, Asking, Button, Event, Key, Tick};
+use crate::machine::{Asked, Asking, Button, Event, Key, Manner, Tick};
 use crate::ui::words::Phrase;
 use crate::ui::{Commands, Desk, Manual, Start, Stay};
 use crate::work::{self, History, Next, Work, common_key, event};
+use field::PICTURE;
 use lens::{Held, Lens};
 use seen::Item;
 use serde::Serialize;
@@ -63,6 +64,12 @@ trait Craft<const D: usize>: Sized + 'static {
     }
     /// Whether the value names a curve or surface to be shown at once.
     fn names_shape(&self, value: &Self::Value) -> bool;
+    /// Takes up how the program behaves; in the manner of today there is always a usual curve or surface.
+    fn behave(&mut self, _: Manner) {}
+    /// Whether the value has a curve or surface.
+    fn has_shape(editor: &Editor<Self, D>) -> bool;
+    /// What can be done now.
+    fn hint(editor: &Editor<Self, D>) -> Option<Phrase>;
     /// The model as `dump` writes it.
     fn model(editor: &Editor<Self, D>) -> impl Serialize + 'static;
 
@@ -84,6 +91,10 @@ trait Craft<const D: usize>: Sized + 'static {
     /// Whether an event only changed how things look.
     fn looked(_: &mut Editor<Self, D>, _: &mut Desk<'_>, _: &Tick) -> bool {
         false
+    }
+    /// Something new that the mouse takes up where there was nothing, in the manner of today.
+    fn taken_up(_: &Editor<Self, D>, _: (i32, i32)) -> Option<Held<Self::Handle, D>> {
+        None
     }
     /// What a click means that is on no button and no handle.
     fn clicked(_: &Editor<Self, D>, _: (i32, i32)) -> Option<Self::Action> {
@@ -130,6 +141,7 @@ struct Editor<C: Craft<D>, const D: usize> {
     stage: Stage,
     /// What reading a file had to say although it could be read.
     remark: Option<Phrase>,
+    manner: Manner,
 }
 
 /// Makes an editor ready as a program, with a document that was named at the start or none.
@@ -186,7 +198,12 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
         C::model(self)
     }
 
+    fn look(&mut self, desk: &Desk<'_>) {
+        self.behave(desk.machine.manner());
+    }
+
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
+        self.behave(desk.machine.manner());
         self.held = None;
         self.lens.stop();
         if let Some(remark) = self.remark.take() {
@@ -225,6 +242,19 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
             shown: Shown::default(),
             stage: Stage::FIRST,
             remark: None,
+            manner: Manner::default(),
+        }
+    }
+
+    /// Takes up how the program behaves. In the manner of today the curve or surface stays in the picture.
+    fn behave(&mut self, manner: Manner) {
+        if manner != self.manner {
+            self.manner = manner;
+            self.shown.follow = manner == Manner::Today;
+            self.craft.behave(manner);
+        }
+        if manner == Manner::Today && self.shown.follow && !self.stage.is_result() {
+            self.shown.take(C::has_shape(self));
         }
     }
 
@@ -247,7 +277,14 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
             self.held = Some(Held { handle, pressed: at, from, at: from });
             return None;
         }
-        C::clicked(self, at)
+        let clicked = C::clicked(self, at);
+        if clicked.is_none() && self.manner == Manner::Today && PICTURE.holds(at.0, at.1) {
+            self.held = C::taken_up(self, at);
+            if self.held.is_none() {
+                self.lens.grab(at);
+            }
+        }
+        clicked
     }
 
     /// Follows the mouse with what it holds, and drops it.

@@ -7,7 +7,7 @@ use super::{Craft, Editor, seen};
 use crate::figure::Figure;
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
-use crate::ui::{self, Picture, TOP};
+use crate::ui::{self, Hint, Picture, TOP};
 
 /// Where an editor draws things of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +46,10 @@ impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {
             return None;
         }
         seen::figure(&C::seen(self), &self.lens)
+    }
+
+    fn hint(&self) -> Option<Hint> {
+        if self.stage == Stage::Working { C::hint(self).map(Hint::new) } else { None }
     }
 }
 

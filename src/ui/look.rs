@@ -96,13 +96,18 @@ impl Look {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Viewer {
     pub(crate) look: Look,
-    /// Where a turn by the mouse began: the look and the pixel.
-    turning: Option<(Look, (i32, i32))>,
+    /// Where a turn by the mouse began: the look, the pixel, and the button.
+    turning: Option<(Look, (i32, i32), Button)>,
 }
 
 impl Viewer {
     pub(crate) fn new(look: Look) -> Viewer {
         Viewer { look, turning: None }
+    }
+
+    /// Begins a turn by the mouse, which lasts as long as a button is held.
+    pub(crate) fn turn(&mut self, at: (i32, i32), button: Button) {
+        self.turning = Some((self.look, at, button));
     }
 
     /// Ends a turn by the mouse that has been interrupted.
@@ -112,17 +117,17 @@ impl Viewer {
 
     /// Turns and zooms. Whether the event was for that.
     pub(crate) fn look_around(&mut self, tick: &Tick) -> bool {
-        if let Some((from, (x, y))) = self.turning {
+        if let Some((from, (x, y), button)) = self.turning {
             match tick.event {
                 Some(Event::Key(Key::Esc)) => (self.look, self.turning) = (from, None),
-                _ if !tick.mouse.holds(Button::Right) => self.turning = None,
+                _ if !tick.mouse.holds(button) => self.turning = None,
                 _ => self.look = from.turned_by((tick.mouse.x - x, tick.mouse.y - y)),
             }
             return true;
         }
         match tick.event {
             Some(Event::Press(Button::Right)) => {
-                self.turning = Some((self.look, (tick.mouse.x, tick.mouse.y)));
+                self.turn((tick.mouse.x, tick.mouse.y), Button::Right);
                 true
             }
             Some(Event::Wheel(steps)) => {

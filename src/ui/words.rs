@@ -145,6 +145,12 @@ pub(crate) const HELP_DRAG: Words = Words(
 );
 pub(crate) const HELP_INSERT: Words = Words("beszúrás: sorszám, hely", "insert: number, place");
 pub(crate) const HELP_CHANGE: Words = Words("változtatás: sorszám vagy hely", "change: number or place");
+pub(crate) const HELP_DELETE_HERE: Words =
+    Words("az egér alatti pont törlése", "delete the point under the mouse");
+pub(crate) const HELP_CLICK: Words =
+    Words("a mezőn: új pont; a görbén: pont oda", "on the field: new point; on the curve: one there");
+pub(crate) const HELP_CLICK_3D: Words =
+    Words("a görbén: pont oda; máshol húzva: forgat", "on the curve: a point there; elsewhere, drag: turn");
 pub(crate) const HELP_DELETE: Words = Words("törlés: sorszám", "delete: number");
 pub(crate) const HELP_CURVE: Words =
     Words("görbe: nyitott vagy zárt, eljárás", "curve: open or closed, method");
@@ -560,3 +566,53 @@ pub(crate) fn net_size([rows, columns]: [usize; 2], [least_u, least_v]: [usize; 
         ),
     )
 }
+
+// Hints: three lines of 28 letters.
+pub(crate) const HINT_FIRST: Words = Words(
+    "Kattintson a mezőre: minden kattintás egy pont. F1: súgó",
+    "Click on the field: every click is a point. F1 help",
+);
+pub(crate) const HINT_MORE: Words =
+    Words("Még pontok kellenek: kattint- son a mezőre", "A curve needs more points: click on the field");
+pub(crate) const HINT_MORE_3D: Words = Words(
+    "Még pontok kellenek: B és a három koordináta",
+    "A curve needs more points: B and their coordinates",
+);
+pub(crate) const HINT_CURVE: Words = Words("G görbét rajzol. F1: súgó", "G draws a curve. F1 help");
+pub(crate) const HINT_EDIT: Words = Words(
+    "Húzza a pontokat; kattintás: új pont. G eljárás, E eredmény, F1 súgó",
+    "Drag points; a click adds one. G method, E result, F1 help",
+);
+pub(crate) const HINT_EDIT_3D: Words = Words(
+    "Húzza a pontokat; mellettük húzva forog. G eljárás, F1 súgó",
+    "Drag points; drag beside them to turn. G method, F1 help",
+);
+pub(crate) const HINT_TANGENTS: Words = Words(
+    "Húzza a pontokat és az érintők végét. G görbe, E eredmény, F1",
+    "Drag points and the tips of tangents. G curve, E result, F1",
+);
+pub(crate) const HINT_HELD: Words = Words(
+    "Engedje el, ahová kerüljön; a mezőn kívül: törlés. Esc: vissza",
+    "Let go where it belongs; off the field deletes it. Esc: back",
+);
+pub(crate) const HINT_HELD_3D: Words =
+    Words("Engedje el, ahová kerüljön. Esc: vissza", "Let go where it belongs. Esc: back");
+pub(crate) const HINT_TIP: Words = Words(
+    "Az érintő iránya és hossza alakítja a görbét. Esc: vissza",
+    "Direction and length of the tangent shape it. Esc: back",
+);
+pub(crate) const HINT_NET: Words = Words(
+    "Húzza a pontokat; mellettük húzva forog. F felület, E kép, F1 súgó",
+    "Drag points; drag beside them to turn. F surface, E result, F1",
+);
+pub(crate) const HINT_SURFACE: Words = Words(
+    "Húzva forog, kerékkel nagyít. V háló, F felület, E kép, F1 súgó",
+    "Drag to turn, wheel to zoom. V net, F surface, E result, F1",
+);
+
+/// A point has been deleted by the key.
+pub(crate) fn deleted(number: usize) -> Phrase {
+    Phrase::new(format!("{number}. pont törölve (Ctrl+Z)"), format!("Point {number} deleted (Ctrl+Z)"))
+}
+
+pub(crate) const NOTHING_HERE: Words = Words("Az egér alatt nincs pont", "No point under the mouse");

@@ -29,6 +29,7 @@ where
             Action::Insert => self.insert(desk).await?,
             Action::Change => self.change_point(desk).await?,
             Action::Delete => self.delete(desk).await?,
+            Action::DeleteHere => self.delete_at(desk),
             Action::Choose => self.choose_curve(desk).await?,
             Action::Result => self.show_result(desk).await?,
             Action::Bias => {
@@ -76,7 +77,7 @@ where
                 note = k0.map(|k0| format!("k0 = {k0:.2}"));
             }
         }
-        let method = sketch.method().or(self.craft.tools.implied());
+        let method = sketch.method().or(self.craft.tools.implied()).or(self.craft.usual);
         if let Some(Err(error)) = method.map(|method| sketch.by(method).curve()) {
             if Curves::<D>::STORE.is_none() {
                 self.shown.take(false);

@@ -25,7 +25,7 @@ use super::{Craft, Editor};
 use crate::design::{Edit, Place, Sketch};
 use crate::file::{Document, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point};
-use crate::machine::Asked;
+use crate::machine::{Asked, Manner};
 use crate::screen::Color;
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase, Words};
@@ -77,6 +77,8 @@ pub fn space(manual: Manual, tools: Tools, document: Option<Document>) -> Result
 /// What the editors of curves have of their own.
 struct Curves<const D: usize> {
     tools: Tools,
+    /// The method of documents that name none, in the manner of today.
+    usual: Option<Method>,
     /// Curves that are shown besides the chosen one.
     compared: Vec<Kind>,
     /// Whether the points are looked at as measured ones: an open row, without the chosen curve.
@@ -92,7 +94,15 @@ struct Curves<const D: usize> {
 
 impl<const D: usize> Curves<D> {
     fn new(tools: Tools) -> Curves<D> {
-        Curves { tools, compared: Vec::new(), measured: false, pointed_out: None, note: None, offer: None }
+        Curves {
+            tools,
+            usual: None,
+            compared: Vec::new(),
+            measured: false,
+            pointed_out: None,
+            note: None,
+            offer: None,
+        }
     }
 }
 
@@ -108,6 +118,10 @@ trait Ambient<const D: usize>: Sized {
     fn lens() -> Self::Lens;
     fn format(tools: Tools) -> Format;
     fn commands(tools: Tools) -> Commands<Action>;
+    /// The place of a pixel on the empty ground; `None` where a pixel is no place.
+    fn open_place(_: (i32, i32)) -> Option<Point<D>> {
+        None
+    }
     /// The sketch of a document of this kind.
     fn sketch(document: &Document) -> Result<Sketch<D>, Words>;
     fn document(sketch: Sketch<D>) -> Document;
@@ -138,6 +152,8 @@ enum Handle {
     Point(usize),
     /// The tip of the tangent at a point.
     Tip(usize),
+    /// A new point, which will have this index.
+    New(usize),
 }
 
 /// The model as `dump` writes it. Angles are in degrees.
@@ -230,7 +246,19 @@ where
     }
 
     fn implied(&self) -> Option<Method> {
-        self.tools.implied()
+        self.tools.implied().or(self.usual)
+    }
+
+    fn behave(&mut self, manner: Manner) {
+        self.usual = (manner == Manner::Today).then_some(Method::Spline);
+    }
+
+    fn has_shape(editor: &Editor<Self, D>) -> bool {
+        editor.count() >= FEWEST && editor.drawn().curve().is_ok()
+    }
+
+    fn hint(editor: &Editor<Self, D>) -> Option<Phrase> {
+        editor.hint()
     }
 
     fn names_shape(&self, sketch: &Sketch<D>) -> bool {
@@ -267,6 +295,7 @@ where
         match handle {
             Handle::Point(index) => sketch.points.get(index).copied().or(Self::STORE),
             Handle::Tip(index) => sketch.tip(index),
+            Handle::New(_) => None,
         }
     }
 
@@ -279,8 +308,8 @@ where
                 sketch.edited(Edit::Delete(index))
             }
             (Handle::Point(index), false) if index < count => sketch.edited(Edit::Move(index, at)),
-            (Handle::Point(index), true) => sketch.edited(Edit::Insert(index, at)),
-            (Handle::Point(_), false) => sketch.clone(),
+            (Handle::Point(index) | Handle::New(index), true) => sketch.edited(Edit::Insert(index, at)),
+            (Handle::Point(_) | Handle::New(_), false) => sketch.clone(),
             (Handle::Tip(index), _) => sketch.with_tip(index, at),
         }
     }
@@ -323,6 +352,10 @@ where
             editor.offer_automatic_tangents(desk).await?;
         }
         Ok(())
+    }
+
+    fn taken_up(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Held<Handle, D>> {
+        editor.new_point(at)
     }
 
     async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
@@ -397,7 +430,7 @@ where
 impl<const D: usize> Curves<D> {
     /// The sketch as the program draws it, if there is a curve.
     fn curve(&self, sketch: &Sketch<D>) -> Option<Sketch<D>> {
-        let method = sketch.method().or(self.tools.implied())?;
+        let method = sketch.method().or(self.tools.implied()).or(self.usual)?;
         Some(sketch.by(method)).filter(|sketch| sketch.curve().is_ok())
     }
 }
@@ -433,6 +466,10 @@ impl Ambient<2> for Curves<2> {
 
     fn document(sketch: Sketch<2>) -> Document {
         sketch.into()
+    }
+
+    fn open_place((x, y): (i32, i32)) -> Option<Point<2>> {
+        Some(Field.place((x, y))).filter(|at| at.fits())
     }
 
     async fn ask_place(editor: &Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<Point<2>> {

@@ -1,21 +1,24 @@
 //! The control points and curves in the picture, and the commands that change points by their numbers.
 
-use super::ask::{ask_existing, ask_index};
+use super::ask::{FEWEST, ask_existing, ask_index};
 use super::compare::Kind;
 use super::{Ambient, Curves, Handle, Tools, steps};
 use crate::design::{Edit, Place, Sketch};
-use crate::editor::Editor;
-use crate::editor::lens::Lens;
+use crate::editor::lens::{Held, Lens};
 use crate::editor::picture::Page;
 use crate::editor::seen::{Item, Label};
 use crate::editor::stage::Stage;
+use crate::editor::{Craft, Editor};
 use crate::file::{FIELD, MAX_POINTS, Method};
-use crate::geometry::Point;
+use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
 use crate::screen::Color;
-use crate::ui::words::{self, Words};
+use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
 use serde::Serialize;
+
+/// How far from the curve a click is on it, in pixels.
+const REACH: i32 = 5;
 
 impl<const D: usize> Editor<Curves<D>, D>
 where
@@ -29,7 +32,7 @@ where
 
     /// What the curve is drawn by.
     pub(super) fn method(&self) -> Option<Method> {
-        self.history.now().method().or(self.craft.tools.implied())
+        self.history.now().method().or(self.craft.tools.implied()).or(self.craft.usual)
     }
 
     /// The sketch as it would be if what is held were dropped now, with the method of the program.
@@ -37,8 +40,66 @@ where
         let sketch = self.preview();
         match sketch.method().or(self.craft.tools.implied()) {
             Some(method) => sketch.by(method),
-            None => sketch,
+            None => self.craft.usual.map_or(sketch.clone(), |method| sketch.closed_up().by(method)),
         }
+    }
+
+    /// A new point at a pixel: on the curve between the points there, else behind the last.
+    pub(super) fn new_point(&self, at: (i32, i32)) -> Option<Held<Handle, D>> {
+        let sketch = self.history.now();
+        if sketch.full() || self.craft.measured {
+            return None;
+        }
+        let (index, place) = match self.on_curve(at) {
+            Some((place, index)) => (index, place),
+            None => (sketch.points.len(), Curves::<D>::open_place(at)?),
+        };
+        place.fits().then_some(Held { handle: Handle::New(index), pressed: at, from: place, at: place })
+    }
+
+    /// The place of the curve at a pixel, and the index that a point inserted there has: behind the nearest side of the
+    /// control polygon.
+    fn on_curve(&self, at: (i32, i32)) -> Option<(Point<D>, usize)> {
+        if !self.shown.visible {
+            return None;
+        }
+        let (sketch, curve) = (self.drawn(), self.drawn().curve().ok()?);
+        let distance = |(x, y): (i32, i32)| (x - at.0).pow(2) + (y - at.1).pow(2);
+        let line = curve.polyline(steps(sketch.method()?)).ok()?;
+        let nearest = line.into_iter().min_by_key(|&place| distance(self.lens.pixel(place)))?;
+        if distance(self.lens.pixel(nearest)) > REACH.pow(2) {
+            return None;
+        }
+        let sides = sketch.points.iter().zip(sketch.points.iter().cycle().skip(1));
+        let count =
+            sketch.points.len() - usize::from(sketch.closure() == Closure::Open).min(sketch.points.len());
+        let of_side =
+            |(_, (from, to)): &(usize, (&Point<D>, &Point<D>))| distance_to_side(nearest, **from, **to);
+        let side = sides.take(count).enumerate().min_by(|a, b| of_side(a).total_cmp(&of_side(b)))?.0;
+        Some((Curves::<D>::open_place(at).unwrap_or(nearest.nearest()), side + 1))
+    }
+
+    /// What can be done now.
+    pub(super) fn hint(&self) -> Option<Phrase> {
+        if self.craft.note.is_some() || !self.craft.compared.is_empty() {
+            return None;
+        }
+        let plane = Curves::<D>::STORE.is_some();
+        Some(
+            match (self.held.map(|held| held.handle), self.count()) {
+                (Some(Handle::Tip(_)), _) => words::HINT_TIP,
+                (Some(_), _) if plane => words::HINT_HELD,
+                (Some(_), _) => words::HINT_HELD_3D,
+                (None, 0) if plane => words::HINT_FIRST,
+                (None, ..FEWEST) if plane => words::HINT_MORE,
+                (None, ..FEWEST) => words::HINT_MORE_3D,
+                (None, _) if !self.shown.visible => words::HINT_CURVE,
+                (None, _) if self.craft.tools == Tools::Tangents => words::HINT_TANGENTS,
+                (None, _) if plane => words::HINT_EDIT,
+                (None, _) => words::HINT_EDIT_3D,
+            }
+            .into(),
+        )
     }
 
     /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
@@ -105,6 +166,9 @@ where
                 false => Item::Disc { at, number: index + 1, fill: Curves::<D>::FILL },
             });
         }
+        if let Some((Handle::New(index), at)) = self.held.map(|held| (held.handle, held.at)) {
+            items.push(Item::Disc { at, number: index + 1, fill: Curves::<D>::FILL });
+        }
         let empty = !self.stage.begun() || self.stage.is_result() || self.stage == Stage::Offering;
         let stored = !empty && !sketch.full();
         if let Some(store) = Curves::<D>::STORE.filter(|_| stored) {
@@ -153,6 +217,18 @@ where
         })
     }
 
+    /// The key Delete: the point under the mouse goes.
+    pub(super) fn delete_at(&mut self, desk: &mut Desk<'_>) {
+        let mouse = desk.machine.mouse();
+        match Curves::handle_at(self, (mouse.x, mouse.y)) {
+            Some(Handle::Point(index)) if index < self.count() => {
+                self.change(self.history.now().edited(Edit::Delete(index)));
+                desk.tell(words::deleted(index + 1), Stay::Briefly);
+            }
+            _ => desk.tell(words::NOTHING_HERE, Stay::Briefly),
+        }
+    }
+
     /// The command T: a point goes.
     pub(super) async fn delete(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let index = ask_existing(desk, self, self.count()).await?;
@@ -188,6 +264,17 @@ pub(super) async fn ask_place_in_field(
         Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
     ];
     desk.numbers(editor, &Form::new(captions, [field(14, FIELD[0]), field(29, FIELD[1])])).await
+}
+
+/// The square of the distance of a point to the line between two others.
+fn distance_to_side<const D: usize>(point: Point<D>, from: Point<D>, to: Point<D>) -> f64 {
+    let dot = |a: Point<D>, b: Point<D>| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    let minus = |a: Point<D>, b: Point<D>| -> Point<D> { std::array::from_fn(|axis| a[axis] - b[axis]) };
+    let (side, way) = (minus(to, from), minus(point, from));
+    let length = dot(side, side);
+    let part = if length > 0.0 { (dot(way, side) / length).clamp(0.0, 1.0) } else { 0.0 };
+    let rest: Point<D> = std::array::from_fn(|axis| way[axis] - part * side[axis]);
+    dot(rest, rest)
 }
 
 // The prompt for a point's number has room for two digits.

@@ -11,6 +11,7 @@ pub(super) enum Action {
     Insert,
     Change,
     Delete,
+    DeleteHere,
     Choose,
     Result,
     Bias,
@@ -40,6 +41,10 @@ const DELETE: Row = Command::button(
     (Words("T", "T"), words::HELP_DELETE),
     Action::Delete,
 );
+const DELETE_HERE: Row =
+    Command::key(Key::Delete, (Words("Del", "Del"), words::HELP_DELETE_HERE), Action::DeleteHere);
+const CLICK: Row = Command::told((Words("kattintás", "click"), words::HELP_CLICK));
+const CLICK_3D: Row = Command::told((Words("kattintás", "click"), words::HELP_CLICK_3D));
 const METHOD: Row = choose((Words("G 1-4", "G 1-4"), words::HELP_CURVE));
 const FORM: Row = choose((Words("G", "G"), words::HELP_CURVE_FORM));
 const RESULT: Row = Command::button(
@@ -79,24 +84,98 @@ const fn choose(help: KeyHelp) -> Row {
 }
 
 /// GB_2D_IP.
-pub(super) const METHODS: Commands<Action> =
-    Commands(&[DRAG, INSERT, CHANGE, DELETE, METHOD, RESULT, LEAVE, FOLLOW, COMPARE, WORKSHOP, STORE, BACK]);
+pub(super) const METHODS: Commands<Action> = Commands(&[
+    DRAG,
+    CLICK,
+    INSERT,
+    CHANGE,
+    DELETE,
+    DELETE_HERE,
+    METHOD,
+    RESULT,
+    LEAVE,
+    FOLLOW,
+    COMPARE,
+    WORKSHOP,
+    STORE,
+    BACK,
+]);
 /// GB_2D_CH.
-pub(super) const TANGENTS: Commands<Action> =
-    Commands(&[DRAG, DRAG_TANGENT, INSERT, CHANGE_TANGENT, DELETE, FORM, RESULT, LEAVE, FOLLOW, STORE, BACK]);
+pub(super) const TANGENTS: Commands<Action> = Commands(&[
+    DRAG,
+    DRAG_TANGENT,
+    CLICK,
+    INSERT,
+    CHANGE_TANGENT,
+    DELETE,
+    DELETE_HERE,
+    FORM,
+    RESULT,
+    LEAVE,
+    FOLLOW,
+    STORE,
+    BACK,
+]);
 /// GB_2D_BT.
 pub(super) const BETA: Commands<Action> = Commands(&[
-    DRAG, INSERT, CHANGE, DELETE, BIAS, TENSION, FORM, RESULT, LEAVE, FOLLOW, JOINT, ALIKE, STORE, BACK,
+    DRAG,
+    CLICK,
+    INSERT,
+    CHANGE,
+    DELETE,
+    DELETE_HERE,
+    BIAS,
+    TENSION,
+    FORM,
+    RESULT,
+    LEAVE,
+    FOLLOW,
+    JOINT,
+    ALIKE,
+    STORE,
+    BACK,
 ]);
 /// GB_3D_IP.
 pub(super) const SPACE_METHODS: Commands<Action> = Commands(&[
-    INSERT, CHANGE, DELETE, METHOD, RESULT, LEAVE, DRAG_3D, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW,
-    COMPARE, WORKSHOP, STORE, BACK,
+    INSERT,
+    CHANGE,
+    DELETE,
+    DELETE_HERE,
+    METHOD,
+    RESULT,
+    LEAVE,
+    DRAG_3D,
+    CLICK_3D,
+    TURN[0],
+    TURN[1],
+    TURN[2],
+    TURN[3],
+    FOLLOW,
+    COMPARE,
+    WORKSHOP,
+    STORE,
+    BACK,
 ]);
 /// GB_3D_BT.
 pub(super) const SPACE_BETA: Commands<Action> = Commands(&[
-    INSERT, CHANGE, DELETE, BIAS, TENSION, FORM, RESULT, LEAVE, DRAG_3D, TURN[0], TURN[1], TURN[2], TURN[3],
-    FOLLOW, STORE, BACK,
+    INSERT,
+    CHANGE,
+    DELETE,
+    DELETE_HERE,
+    BIAS,
+    TENSION,
+    FORM,
+    RESULT,
+    LEAVE,
+    DRAG_3D,
+    CLICK_3D,
+    TURN[0],
+    TURN[1],
+    TURN[2],
+    TURN[3],
+    FOLLOW,
+    STORE,
+    BACK,
 ]);
 
 /// The help page of GB_2D_IP.

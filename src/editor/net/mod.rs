@@ -149,6 +149,20 @@ impl Craft<3> for Nets {
         design.shape() == self.plan.kind.shape()
     }
 
+    /// Whether there is one shows when it is drawn.
+    fn has_shape(_: &Editor<Nets, 3>) -> bool {
+        true
+    }
+
+    fn hint(editor: &Editor<Nets, 3>) -> Option<Phrase> {
+        let hint = match (editor.held, &editor.craft.drawn) {
+            (Some(_), _) => words::HINT_HELD_3D,
+            (None, None) => words::HINT_NET,
+            (None, Some(_)) => words::HINT_SURFACE,
+        };
+        Some(hint.into())
+    }
+
     fn names_shape(&self, design: &NetDesign) -> bool {
         let settings = &design.net.settings;
         let named = settings.method.is_some() || settings.extended.is_some();
