@@ -11,6 +11,7 @@ mod open;
 mod options;
 mod outlet;
 pub mod progress;
+mod table;
 
 pub use config::configure;
 pub use display::{has_terminal, in_terminal};
@@ -20,6 +21,7 @@ pub use open::{Opened, kind_of, open, open_as, read_stdin};
 use open::{folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::write_output;
+pub use table::TableArgs;
 
 use crate::file::Format;
 use crate::machine::{Language, SAMPLES, Session};
@@ -76,11 +78,20 @@ impl Program {
     pub fn command(&self) -> Command {
         let command = Command::new(self.manual.name);
         let (command, examples) = match self.command_line {
-            CommandLine::Usual => (Options::augment_args(command), examples(self)),
+            CommandLine::Usual => (self.with_tables(Options::augment_args(command)), examples(self)),
             CommandLine::Install => (Install::augment_args(command), Install::examples(self.manual.name)),
         };
         // Set last: the options bring a description of their own.
         command.about(self.manual.about.1).version(env!("CARGO_PKG_VERSION")).after_help(examples)
+    }
+
+    /// Hides the options of tables where no points are opened.
+    fn with_tables(&self, command: Command) -> Command {
+        let points = [Format::Ip2, Format::Ic2, Format::Ip3];
+        let hidden = !self.opens.iter().any(|format| points.contains(format));
+        TableArgs::NAMES
+            .into_iter()
+            .fold(command, |command, name| command.mut_arg(name, |arg| arg.hide(hidden)))
     }
 
     /// Starts the program with the options of a command line and stays until it has ended.
@@ -89,9 +100,10 @@ impl Program {
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
         let (path, run_options) = (options.file.as_deref(), options.run.preferred());
+        let table = options.table.options();
         let mut machine = run_options.machine(path.map_or_else(|| run_options.folder(), folder_of));
         // Through the machine's own storage, which remembers what was read.
-        let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
+        let opened = path.map(|path| open_in(machine.storage(), path, None, &table)).transpose()?;
         machine.set_file(opened.as_ref().map(|opened| opened.file_name.clone()));
         let (name, document) = opened
             .map(|opened| (opened.name, with_json(opened.document, machine.storage(), &opened.file_name)))
