@@ -9,6 +9,7 @@ use super::letters::{LETTER_WIDTH, Letters};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
 use crate::geometry::{Closure, CubicBezier, Point};
 use fontdue::{Font, FontSettings};
+use std::collections::HashMap;
 use std::io::Write;
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform,
@@ -19,6 +20,9 @@ pub(super) static FONT: &[u8] = include_bytes!("fonts/DejaVuSansMono.ttf");
 
 /// Pixels of a band.
 const BAND: u32 = 1 << 22;
+
+/// More discs than this are not all drawn.
+const MANY_DISCS: usize = 10_000;
 
 /// Width of the white seam around letters in nominal pixels.
 const SEAM: f64 = 1.5;
@@ -41,6 +45,7 @@ impl Figure {
         // At most some ten thousand.
         let height = (layout.height * enlarged).round().max(1.0) as u32;
         let font = font(&layout.letters)?;
+        let drawn = self.drawn(&layout, enlarged);
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, width, height);
         encoder.set_color(png::ColorType::Rgb);
@@ -50,7 +55,7 @@ impl Figure {
         for top in (0..height).step_by(rows as usize) {
             let mut band = Band::new(&layout, enlarged, [width, rows.min(height - top)], top)?;
             band.draw_rules();
-            self.items.iter().for_each(|item| band.draw(item));
+            drawn.iter().for_each(|item| band.draw(item));
             if let Some(font) = &font {
                 layout.letters.iter().for_each(|line| band.write(line, font));
             }
@@ -61,6 +66,28 @@ impl Figure {
         stream.finish()?;
         writer.finish()?;
         Ok(file)
+    }
+
+    /// The items that are drawn: of very many discs not those that a later one covers, but for an edge of a
+    /// quarter of a pixel.
+    fn drawn(&self, layout: &Layout, enlarged: f64) -> Vec<&Item> {
+        let discs = self.items.iter().filter(|item| matches!(item, Item::Disc { .. }));
+        if discs.count() <= MANY_DISCS {
+            return self.items.iter().collect();
+        }
+        let mut seen: HashMap<[i64; 2], (f64, &Style)> = HashMap::new();
+        let mut drawn: Vec<&Item> = Vec::new();
+        for item in self.items.iter().rev() {
+            if let Item::Disc { at, radius, style, .. } = item {
+                let place = layout.place(*at).map(|value| (4.0 * value * enlarged).round() as i64);
+                if seen.insert(place, (*radius, style)) == Some((*radius, style)) {
+                    continue;
+                }
+            }
+            drawn.push(item);
+        }
+        drawn.reverse();
+        drawn
     }
 }
 
