@@ -41,8 +41,8 @@ impl Document {
         if list {
             return json_points::read(text, options.columns.as_ref());
         }
-        let none = Head { format: None };
-        let Head { format } = if text.trim_start().starts_with('{') { parse(text)? } else { none };
+        let other = !text.trim_start().starts_with('{') && !text.trim().is_empty();
+        let Head { format } = if other { Head { format: None } } else { parse(text)? };
         let Some(format) = format else {
             return Err(FileError::Text {
                 line: 1,

@@ -466,22 +466,20 @@ fn names_above(grid: &Grid, first: usize, delimiter: Delimiter) -> Vec<String> {
     names.filter(|_| fits(above).is_some()).or_else(|| fits(above)).unwrap_or_default()
 }
 
-/// The first row with numbers in these columns, or in two columns, whose next row has them in the same.
+/// The first row of numbers in these columns, or in those in which the last row of numbers has them. A row right
+/// above it with a number there belongs to it: what else it holds is wrong, and is not passed over in silence.
 fn first_row(grid: &Grid, columns: Option<&[usize]>) -> Option<usize> {
+    let is_number_at = |row: usize, column: usize| is_number(grid.cell(row, column));
     let numbers = |row: usize| -> Vec<usize> {
-        (0..grid.width(row)).filter(|&column| is_number(grid.cell(row, column))).collect()
+        (0..grid.width(row)).filter(|&column| is_number_at(row, column)).collect()
     };
-    (0..grid.len()).find(|&row| {
-        let here = numbers(row);
-        let enough = match columns {
-            Some(columns) => columns.iter().all(|column| here.contains(column)),
-            None => here.len() >= 2,
-        };
-        let wanted = columns.unwrap_or(&here);
-        enough
-            && (row + 1 == grid.len()
-                || wanted.iter().filter(|&&c| is_number(grid.cell(row + 1, c))).count() >= 2)
-    })
+    let columns = match columns {
+        Some(columns) => columns.to_vec(),
+        None => (0..grid.len()).rev().map(numbers).find(|numbers| numbers.len() >= 2)?,
+    };
+    let first = (0..grid.len()).find(|&row| columns.iter().all(|&column| is_number_at(row, column)))?;
+    let belongs = |&row: &usize| columns.iter().any(|&column| is_number_at(row, column));
+    (0..first).rev().take_while(belongs).last().or(Some(first))
 }
 
 /// The columns in which more than half of the cells with anything in them are numbers.
