@@ -318,3 +318,113 @@ proptest! {
         }
     }
 }
+
+/// The commands on tables.
+#[cfg(feature = "native")]
+mod commands {
+    use std::path::PathBuf;
+    use std::process::{Command, Output};
+
+    /// A folder of its own for a test.
+    fn folder(name: &str) -> PathBuf {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("tables").join(name);
+        std::fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    fn grafika(folder: &PathBuf, arguments: &[&str]) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_grafika"));
+        command.current_dir(folder).args(arguments).output().expect("it starts")
+    }
+
+    /// Standard output and standard error of a command that does its work.
+    fn done(folder: &PathBuf, arguments: &[&str]) -> [String; 2] {
+        let output = grafika(folder, arguments);
+        let texts = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {texts:?}");
+        texts
+    }
+
+    #[test]
+    fn every_command_reads_what_the_others_write() {
+        let folder = folder("written");
+        done(&folder, &["sample", "A.IP2", "--method", "spline", "--per-span", "3", "-o", "curve.csv"]);
+        done(&folder, &["sample", "A.IP2", "--method", "spline", "--per-span", "3", "-o", "curve.json"]);
+        done(&folder, &["sample", "A.IP3", "--method", "bspline3", "--per-span", "3", "-o", "space.csv"]);
+        done(&folder, &["sample", "A.ZMS", "--per-span", "1", "-o", "surface.csv"]);
+        done(&folder, &["sample", "A.ZMS", "--per-span", "1", "-o", "surface.json"]);
+        done(&folder, &["smooth", "Y.IP2", "-o", "smooth.csv"]);
+        done(&folder, &["smooth", "A.IP3", "-o", "smooth.json"]);
+        let names = ["curve.csv", "curve.json", "space.csv", "surface.csv", "surface.json", "smooth.csv", "smooth.json"];
+        for name in names {
+            let [facts, _] = done(&folder, &["info", name]);
+            let place = if ["curve.csv", "curve.json", "smooth.csv"].contains(&name) { "the plane" } else { "space" };
+            assert!(facts.lines().next().unwrap().ends_with(place), "{name}: {facts}");
+            done(&folder, &["sample", name, "--method", "bspline3", "-o", "again.csv"]);
+            done(&folder, &["render", name, "--method", "bspline3", "--points", "-o", "again.png"]);
+            done(&folder, &["smooth", name, "-o", "again.csv"]);
+            done(&folder, &["convert", name, "again.json"]);
+            done(&folder, &["convert", name, "again.csv"]);
+            assert_eq!(done(&folder, &["info", "again.json"]), [facts, String::new()], "{name}");
+        }
+    }
+
+    #[test]
+    fn the_options_of_tables_are_those_of_every_command() {
+        let folder = folder("options");
+        std::fs::write(folder.join("doubtful.csv"), "t;a;b\n1,234;9;5,678\n2;9;3,5\n3;9;4\n4;9;5\n").unwrap();
+        let said = ["--columns", "t,b", "--delimiter", "semicolon", "--decimal", "comma"];
+        let with = |words: &[&'static str]| -> Vec<&str> { words.iter().chain(&said).copied().collect() };
+        let [facts, _] = done(&folder, &with(&["info", "doubtful.csv"]));
+        assert!(facts.contains("x 1.234 .. 4, y 3.5 .. 5.678"), "{facts}");
+        done(&folder, &with(&["sample", "doubtful.csv", "--method", "spline", "-o", "s.csv"]));
+        done(&folder, &with(&["render", "doubtful.csv", "--method", "spline", "-o", "s.svg"]));
+        done(&folder, &with(&["convert", "doubtful.csv", "s.json"]));
+        done(&folder, &with(&["smooth", "doubtful.csv", "-o", "s.csv"]));
+        std::fs::write(folder.join("wait.script"), "wait 10\nclose\n").unwrap();
+        done(&folder, &with(&["open", "doubtful.csv", "--script", "wait.script"]));
+        done(&folder, &with(&["gb_2d_ip", "doubtful.csv", "--script", "wait.script"]));
+        for (arguments, part) in [
+            (&["info", "A.IP2", "--columns", "1,2"][..], "A.IP2: --columns is for tables"),
+            (&["info", "doubtful.csv", "--columns", "1"], "two or three different names, or numbers from 1"),
+            (&["info", "doubtful.csv", "--delimiter", "dash"], "there are comma, semicolon, tab and blanks"),
+            (&["info", "doubtful.csv", "--decimal", "dash"], "there are point and comma"),
+            (&["biliard", "A.BIL", "--columns", "1"], "two or three different names"),
+        ] {
+            let output = grafika(&folder, arguments);
+            let stderr = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{arguments:?}: {stderr}");
+            assert!(stderr.contains(part) && stderr.lines().count() == 1, "{arguments:?}: {stderr}");
+        }
+        // Programs that open no points do not speak of tables.
+        assert!(done(&folder, &["gb_2d_ip", "--help"])[0].contains("--columns"));
+        assert!(!done(&folder, &["gyongy_k", "--help"])[0].contains("--columns"));
+    }
+
+    #[test]
+    fn tables_have_several_extensions() {
+        let folder = folder("extensions");
+        for name in ["a.tsv", "a.TXT", "a.dat", "a.tab"] {
+            std::fs::write(folder.join(name), "1,5\t2\n3\t4\n").unwrap();
+            let [facts, _] = done(&folder, &["info", name]);
+            assert!(facts.starts_with("2 control points in the plane"), "{name}: {facts}");
+            // What is written says itself what it is.
+            assert_eq!(grafika(&folder, &["convert", "A.IP2", name]).status.code(), Some(1), "{name}");
+        }
+        done(&folder, &["info", "a.dat", "--from", "txt"]);
+    }
+
+    #[test]
+    fn pictures_of_many_points_take_no_longer_than_they_must() {
+        let folder = folder("many");
+        let rows: String = (0..100_000).map(|i| format!("{},{}\n", f64::from(i) * 0.01, i % 97)).collect();
+        std::fs::write(folder.join("many.csv"), format!("x,y\n{rows}")).unwrap();
+        let start = std::time::Instant::now();
+        done(&folder, &["render", "many.csv", "--method", "bspline3", "--points", "-o", "many.pdf"]);
+        done(&folder, &["render", "many.csv", "--method", "bspline3", "--points", "--axes", "-o", "many.png"]);
+        // It takes some seconds; with every label among all others it was a minute for the first alone.
+        assert!(start.elapsed().as_secs() < 40, "{:?}", start.elapsed());
+        let size = std::fs::metadata(folder.join("many.pdf")).unwrap().len();
+        assert!(size < 30_000_000, "{size} bytes");
+    }
+}
