@@ -161,7 +161,10 @@ fn many_points_are_smoothed_with_a_density_that_is_said() {
     // Who asks for a density gets it, or is told what would do.
     let output = smooth(&["record.csv", "-o", "-", "--density", "16"]);
     let stderr = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(1) && stderr.contains("a smaller --density needs fewer"), "{stderr}");
+    assert!(
+        output.status.code() == Some(1) && stderr.contains("a smaller --density needs fewer"),
+        "{stderr}"
+    );
     assert_eq!(done(&["record.csv", "-o", "record_out.csv", "--density", "2"])[1], "");
 }
 

@@ -355,10 +355,19 @@ mod commands {
         done(&folder, &["sample", "A.ZMS", "--per-span", "1", "-o", "surface.json"]);
         done(&folder, &["smooth", "Y.IP2", "-o", "smooth.csv"]);
         done(&folder, &["smooth", "A.IP3", "-o", "smooth.json"]);
-        let names = ["curve.csv", "curve.json", "space.csv", "surface.csv", "surface.json", "smooth.csv", "smooth.json"];
+        let names = [
+            "curve.csv",
+            "curve.json",
+            "space.csv",
+            "surface.csv",
+            "surface.json",
+            "smooth.csv",
+            "smooth.json",
+        ];
         for name in names {
             let [facts, _] = done(&folder, &["info", name]);
-            let place = if ["curve.csv", "curve.json", "smooth.csv"].contains(&name) { "the plane" } else { "space" };
+            let place =
+                if ["curve.csv", "curve.json", "smooth.csv"].contains(&name) { "the plane" } else { "space" };
             assert!(facts.lines().next().unwrap().ends_with(place), "{name}: {facts}");
             done(&folder, &["sample", name, "--method", "bspline3", "-o", "again.csv"]);
             done(&folder, &["render", name, "--method", "bspline3", "--points", "-o", "again.png"]);
@@ -421,7 +430,10 @@ mod commands {
         std::fs::write(folder.join("many.csv"), format!("x,y\n{rows}")).unwrap();
         let start = std::time::Instant::now();
         done(&folder, &["render", "many.csv", "--method", "bspline3", "--points", "-o", "many.pdf"]);
-        done(&folder, &["render", "many.csv", "--method", "bspline3", "--points", "--axes", "-o", "many.png"]);
+        done(
+            &folder,
+            &["render", "many.csv", "--method", "bspline3", "--points", "--axes", "-o", "many.png"],
+        );
         // It takes some seconds; with every label among all others it was a minute for the first alone.
         assert!(start.elapsed().as_secs() < 40, "{:?}", start.elapsed());
         let size = std::fs::metadata(folder.join("many.pdf")).unwrap().len();

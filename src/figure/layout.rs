@@ -312,7 +312,7 @@ struct Written(HashMap<[i64; 2], Vec<Area>>);
 impl Written {
     /// The side of a square: about a label.
     const SIDE: f64 = 32.0;
-    /// Letters whose areas meet by no more than this can be read: areas have room above small letters.
+    /// Lines of letters whose areas meet by no more than this can be read: digits do not fill the height.
     const TOUCH: f64 = 3.0;
 
     fn squares([left, top, right, bottom]: Area) -> impl Iterator<Item = [i64; 2]> {
@@ -327,7 +327,7 @@ impl Written {
 
     /// Whether something is written there.
     fn covers(&self, [left, top, right, bottom]: Area) -> bool {
-        let inner = [left + Self::TOUCH, top + Self::TOUCH, right - Self::TOUCH, bottom - Self::TOUCH];
+        let inner = [left, top + Self::TOUCH, right, bottom - Self::TOUCH];
         let near = Self::squares(inner).filter_map(|square| self.0.get(&square));
         near.flatten().any(|area| overlap(*area, inner))
     }
