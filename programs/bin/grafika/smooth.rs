@@ -14,6 +14,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   grafika smooth Y.IP2 -o y.csv
   grafika smooth Y.IP2 --stage bspline -o smooth.ip2
+  grafika smooth scope.csv --columns time,volts -o smooth.csv
   cat measured.csv | grafika smooth - --from csv -o - > smooth.csv")]
 pub(crate) struct Smooth {
     /// Measured points: .IP2, .IC2, .IP3, a table as .csv, .json, a built-in sample, or - for standard input

@@ -146,6 +146,11 @@ pub(in crate::file) enum Column {
 }
 
 impl Columns {
+    /// Whether all of them are numbers.
+    pub(super) fn are_numbers(&self) -> bool {
+        self.0.iter().all(|column| matches!(column, Column::Number(_)))
+    }
+
     /// The columns in the order of the axes.
     pub(in crate::file) fn list(&self) -> &[Column] {
         &self.0
