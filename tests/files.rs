@@ -247,8 +247,16 @@ fn json_holds_what_the_dos_format_cannot() {
 fn wrong_json_names_the_line_and_the_field() {
     for (text, message) in [
         ("", "line 1: EOF while parsing a value"),
-        ("[1]", "line 1, [0]: invalid type: integer `1`, expected a string"),
-        ("{\"points\": []}", "line 1: missing field `format`"),
+        (
+            "[1]",
+            "line 1, [0]: this is no point; a document has a format, as in {\"format\": \"IP2\", \"points\": \
+             [[1, 2], [3, 4]]}; points alone are a list, [[1, 2], [3, 4]] or [{\"x\": 1, \"y\": 2}]",
+        ),
+        (
+            "{\"points\": []}",
+            "line 1: a document has a format, as in {\"format\": \"IP2\", \"points\": [[1, 2], [3, 4]]}; points alone \
+             are a list, [[1, 2], [3, 4]] or [{\"x\": 1, \"y\": 2}]",
+        ),
         (
             "{\"format\": \"IP4\"}",
             "line 1, format: \"IP4\" is none of IP2, IC2, EC2, GBP, IP3, FHC, FPS, FEM, FPB, FBS, ZMS, ZMB, ZYS, ZYB, ZYP, \
@@ -320,11 +328,17 @@ fn conversions_between_kinds() {
     assert_eq!(to(&json, "A.json", "A.IP3"), Ok(space));
     assert_eq!(to(b" X , Y,Z\r\n\r\n1, -2.5e3 ,0.1\r\n", "A.csv", "B.csv").unwrap(), b"x,y,z\n1,-2500,0.1\n");
     for (bytes, from, into, message) in [
-        (&b"x;y\n"[..], "a.csv", "a.ip2", "line 1, header: must be \"x,y\" or \"x,y,z\""),
-        (b"", "a.csv", "a.ip2", "line 1, header: must be \"x,y\" or \"x,y,z\""),
-        (b"x,y\n\n1,2,3\n", "a.csv", "a.ip2", "line 3, row: 3 columns; there must be 2"),
-        (b"x,y\n1,2\n1,inf\n", "a.csv", "a.ip2", "line 3, y: \"inf\" is not a finite number"),
-        (b"x,y\n1,\xff\n", "a.csv", "a.ip2", "line 2: the text is not UTF-8"),
+        (
+            &b"length\n1\n"[..],
+            "a.csv",
+            "a.ip2",
+            "line 1: there is no table of points: rows of two or three numbers with commas, semicolons, tabs or blanks \
+             between them, perhaps below a row of names as in x,y",
+        ),
+        (b"", "a.csv", "a.ip2", "line 1: the table is empty; it has a row for every point, as in 1,2"),
+        (b"x,y\n\n1,2,3\n", "a.csv", "a.ip2", "line 3, row: 3 columns; the header has 2"),
+        (b"x,y\n1,2\n1,inf\n", "a.csv", "a.ip2", "line 3, column 2 (y): \"inf\" is not a finite number"),
+        (b"x,y\n1,\xff\n", "a.csv", "a.ip2", "line 2, column 2 (y): \"ÿ\" is not a finite number"),
         (
             CUBE,
             "a.ip3",

@@ -144,6 +144,31 @@ fn measurements_of_any_size_are_taken() {
 }
 
 #[test]
+fn residuals_have_the_digits_that_they_need() {
+    std::fs::write(path("small.csv"), "x,y\n0,1e-6\n1e-9,3e-6\n2e-9,2e-6\n3e-9,5e-6\n4e-9,1e-6\n").unwrap();
+    let [stdout, _] = done(&["small.csv", "-o", "small_out.csv"]);
+    assert_eq!(stdout, "small.csv: RMS residual 8.0e-7, largest 1.5e-6 at point 4\n");
+}
+
+#[test]
+fn many_points_are_smoothed_with_a_density_that_is_said() {
+    let rows: String = (0..2500).map(|i| format!("{i},{}\n", f64::from(i % 8))).collect();
+    std::fs::write(path("record.csv"), format!("x,y\n{rows}")).unwrap();
+    let [stdout, stderr] = done(&["record.csv", "-o", "record_out.csv"]);
+    assert_eq!(plane(document("record_out.csv")).len(), 2500);
+    assert!(stdout.starts_with("record.csv: RMS residual 2."), "{stdout}");
+    assert!(stderr.contains("--density 13 instead of 16"), "{stderr}");
+    // Who asks for a density gets it, or is told what would do.
+    let output = smooth(&["record.csv", "-o", "-", "--density", "16"]);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        output.status.code() == Some(1) && stderr.contains("a smaller --density needs fewer"),
+        "{stderr}"
+    );
+    assert_eq!(done(&["record.csv", "-o", "record_out.csv", "--density", "2"])[1], "");
+}
+
+#[test]
 fn what_cannot_be_done_is_told_in_a_line() {
     std::fs::write(path("two.csv"), "x,y\n1,2\n3,4\n").unwrap();
     std::fs::write(path("far.csv"), "x,y\n1,2\n3,4\n900,4\n").unwrap();

@@ -7,6 +7,7 @@ use super::letters::{ASCENT, Area, DESCENT, LETTER_WIDTH, Letters, length};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style};
 use super::wrap::wrap;
 use crate::geometry::{BoundingBox, CubicBezier, Point};
+use std::collections::HashMap;
 
 const TEXT_SIZE: f64 = 15.0;
 const TITLE_SIZE: f64 = 22.0;
@@ -23,8 +24,8 @@ const LEAST_HEIGHT: f64 = 160.0;
 const BAND_GAP: f64 = 12.0;
 /// Room between a disc and its label.
 const GAP: f64 = 3.0;
-/// Labels times obstacles that are looked at; beyond it, all labels stand at the upper right of their
-/// discs, and nobody could read them anyway.
+/// Labels times obstacles that are looked at; beyond it, labels stand at the upper right of their discs or
+/// nowhere.
 const MOST_LOOKS: usize = 4_000_000;
 /// Straight pieces that stand for an arc when labels look for a free place.
 const PIECES: u32 = 8;
@@ -82,14 +83,20 @@ impl Layout {
         [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
     }
 
-    /// The labels of discs, then the texts; they keep off the numbers of axes.
+    /// The labels of discs, then the texts; they keep off the numbers of axes. Labels that would cover others are
+    /// left out: neither could be read.
     fn labels(&self, figure: &Figure, numbers: &[Letters]) -> Vec<Letters> {
-        let mut taken = Taken { legs: self.legs(figure), areas: self.areas(figure), height: self.height };
-        taken.legs.extend(&self.rules);
-        taken.areas.extend(numbers.iter().map(Letters::area));
-        let labels = figure.items.iter().filter(|item| matches!(item, Item::Disc { label: Some(_), .. }));
-        let looks = labels.count().saturating_mul(taken.legs.len() + taken.areas.len());
-        let choices = if looks > MOST_LOOKS { 1 } else { DIRECTIONS.len() };
+        let crowded = looks(figure) > MOST_LOOKS;
+        let mut taken = Taken { legs: Vec::new(), areas: Vec::new(), height: self.height };
+        if !crowded {
+            taken.legs = self.legs(figure);
+            taken.legs.extend(&self.rules);
+            taken.areas = self.areas(figure);
+            taken.areas.extend(numbers.iter().map(Letters::area));
+        }
+        let choices = if crowded { 1 } else { DIRECTIONS.len() };
+        let mut written = Written::default();
+        numbers.iter().for_each(|number| written.add(number.area()));
         let mut letters = Vec::new();
         for item in &figure.items {
             let text = match item {
@@ -98,7 +105,11 @@ impl Layout {
                     let size = [length(&text, TEXT_SIZE), TEXT_SIZE * (ASCENT + DESCENT)];
                     let areas = DIRECTIONS.map(|way| beside(around, overhang(item) + GAP, size, way));
                     let area = taken.freest(areas.get(..choices).unwrap_or(&areas));
+                    if written.covers(area) {
+                        continue;
+                    }
                     taken.areas.push(area);
+                    written.add(area);
                     Letters { text, at: [area[0], area[1] + TEXT_SIZE * ASCENT], size: TEXT_SIZE }
                 }
                 Item::Text { at, text } => {
@@ -277,6 +288,49 @@ fn beside([x, y]: Point<2>, distance: f64, [width, height]: [f64; 2], [right, do
     };
     let (left, top) = (x + corner(right, width), y + corner(down, height));
     [left, top, left + width, top + height]
+}
+
+/// Labels times obstacles of a figure.
+fn looks(figure: &Figure) -> usize {
+    let (mut labels, mut obstacles) = (0_usize, 0_usize);
+    for item in &figure.items {
+        obstacles += match item {
+            Item::Curve { arcs, .. } => arcs.len().saturating_mul(PIECES as usize),
+            Item::Polyline { points, .. } => points.len(),
+            Item::Disc { .. } => 1,
+            Item::Text { .. } => 0,
+        };
+        labels += usize::from(matches!(item, Item::Disc { label: Some(_), .. }));
+    }
+    labels.saturating_mul(obstacles)
+}
+
+/// What is written, by squares of the picture, so that finding what is near takes no longer for many letters.
+#[derive(Default)]
+struct Written(HashMap<[i64; 2], Vec<Area>>);
+
+impl Written {
+    /// The side of a square: about a label.
+    const SIDE: f64 = 32.0;
+    /// Lines of letters whose areas meet by no more than this can be read: digits do not fill the height.
+    const TOUCH: f64 = 3.0;
+
+    fn squares([left, top, right, bottom]: Area) -> impl Iterator<Item = [i64; 2]> {
+        let square = |place: f64| (place / Self::SIDE).floor() as i64;
+        let rows = square(top)..=square(bottom);
+        rows.flat_map(move |row| (square(left)..=square(right)).map(move |column| [column, row]))
+    }
+
+    fn add(&mut self, area: Area) {
+        Self::squares(area).for_each(|square| self.0.entry(square).or_default().push(area));
+    }
+
+    /// Whether something is written there.
+    fn covers(&self, [left, top, right, bottom]: Area) -> bool {
+        let inner = [left, top + Self::TOUCH, right, bottom - Self::TOUCH];
+        let near = Self::squares(inner).filter_map(|square| self.0.get(&square));
+        near.flatten().any(|area| overlap(*area, inner))
+    }
 }
 
 /// What labels should not cover.

@@ -188,7 +188,7 @@ impl Figure {
     }
 
     /// Adds a disc, as a control point, with a radius of 0 to 100 nominal pixels. Its label stands
-    /// beside it, where it covers least.
+    /// beside it, where it covers least; where it would cover other letters, it is left out.
     pub fn disc(&mut self, at: Point<2>, radius: f64, style: Style, label: Option<String>) {
         self.items.push(Item::Disc { at, radius, style, label });
     }

@@ -1,6 +1,10 @@
 //! From one kind of file to another.
 
-use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints};
+use super::table::{decoded, decoded_table};
+use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints, TableOptions};
+
+/// Extensions of tables of text that are read; they are written as CSV.
+pub const TABLES: [&str; 4] = ["tsv", "tab", "txt", "dat"];
 
 /// A kind of file that holds a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -9,7 +13,7 @@ pub enum FileKind {
     Dos(Format),
     /// JSON, which holds every document.
     Json,
-    /// CSV, which holds points.
+    /// CSV and other tables of text, which hold points.
     Csv,
 }
 
@@ -29,6 +33,13 @@ impl FileKind {
             _ => Format::from_extension(extension).map(Self::Dos),
         }
     }
+
+    /// The kind of files with this extension that are read: besides those that are written, other tables of text.
+    #[must_use]
+    pub fn from_input_extension(extension: &str) -> Option<Self> {
+        let is_table = TABLES.iter().any(|table| table.eq_ignore_ascii_case(extension));
+        if is_table { Some(Self::Csv) } else { Self::from_extension(extension) }
+    }
 }
 
 impl Document {
@@ -36,12 +47,23 @@ impl Document {
     ///
     /// # Errors
     /// Those of [`Document::read`], [`Document::from_json`] and [`Document::from_csv`], and
-    /// [`FileError::Text`] for text that is not UTF-8.
+    /// [`FileError::Text`] for JSON that is not UTF-8.
     pub fn decode(kind: FileKind, bytes: &[u8]) -> Result<Self, FileError> {
+        Self::decode_table(kind, bytes, &TableOptions::default())
+    }
+
+    /// The document in the bytes of a file, in which points may be a table: CSV, or a plain list in JSON.
+    ///
+    /// # Errors
+    /// Those of [`Document::decode`], and [`FileError::NoTable`] for options and a file that is none.
+    pub fn decode_table(kind: FileKind, bytes: &[u8], options: &TableOptions) -> Result<Self, FileError> {
         match kind {
-            FileKind::Dos(format) => Self::read(format, bytes),
-            FileKind::Json => utf8(bytes).and_then(Self::from_json),
-            FileKind::Csv => utf8(bytes).and_then(Self::from_csv),
+            FileKind::Dos(format) => match options.given() {
+                Some(option) => Err(FileError::NoTable { option }),
+                None => Self::read(format, bytes),
+            },
+            FileKind::Json => decoded(bytes).and_then(|text| Self::from_json_table(&text, options)),
+            FileKind::Csv => Self::from_table(&decoded_table(bytes), options),
         }
     }
 
@@ -98,12 +120,4 @@ pub fn convert(bytes: &[u8], from: FileKind, to: FileKind) -> Result<Vec<u8>, Fi
         FileKind::Dos(format) => document.adapted(format).encode(to),
         FileKind::Json | FileKind::Csv => document.encode(to),
     }
-}
-
-fn utf8(bytes: &[u8]) -> Result<&str, FileError> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let before = bytes.iter().take(error.valid_up_to());
-        let line = 1 + before.filter(|&&byte| byte == b'\n').count();
-        FileError::Text { line, place: String::new(), problem: "the text is not UTF-8".to_owned() }
-    })
 }

@@ -33,6 +33,11 @@ pub enum FileError {
         /// What does not fit.
         problem: String,
     },
+    /// Something is said about the columns or signs of a table, but the file holds none.
+    NoTable {
+        /// The command line's option.
+        option: &'static str,
+    },
     /// A JSON or CSV text is wrong.
     Text {
         /// The line, from 1.
@@ -66,6 +71,9 @@ impl fmt::Display for FileError {
             Self::Value { place, offset, problem } => write!(f, "{place} (byte {offset}): {problem}"),
             Self::Invalid(problem) => f.write_str(problem),
             Self::Misfit { format, problem } => write!(f, "does not fit into .{format}: {problem}"),
+            Self::NoTable { option } => {
+                write!(f, "{option} is for tables of text, as in .csv; this file holds none")
+            }
             Self::Text { line, place, problem } if place.is_empty() => write!(f, "line {line}: {problem}"),
             Self::Text { line, place, problem } => write!(f, "line {line}, {place}: {problem}"),
         }

@@ -1,9 +1,9 @@
 //! Documents as JSON, for people and tools.
 //!
 //! An object with the `"format"`, named after the extension of the DOS file, and the named fields of the value
-//! type. Fields that may be missing are left out; unknown ones are an error.
+//! type. Fields that may be missing are left out; unknown ones are an error. A plain list is read as points.
 
-use super::{Document, FileError, Format, Net, NetKind, json_text};
+use super::{Document, FileError, Format, Net, NetKind, TableOptions, json_points, json_text};
 use serde::de::{self, DeserializeOwned, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -19,12 +19,35 @@ impl Document {
     /// [`FileError::Text`] with the line and the field, for a text that is no JSON, an unknown format, and
     /// missing, unknown or wrong fields; [`FileError::Invalid`] for values that do not belong together.
     pub fn from_json(text: &str) -> Result<Self, FileError> {
-        let Head { format, balls } = parse(text)?;
+        Self::from_json_table(text, &TableOptions::default())
+    }
+
+    /// The document in a JSON text, in which points may be a plain list: `[[1, 2], [3, 4]]`, or objects whose
+    /// fields are found like the columns of a table.
+    ///
+    /// # Errors
+    /// Those of [`Document::from_json`], and [`FileError::NoTable`] for columns and no list.
+    pub fn from_json_table(text: &str, options: &TableOptions) -> Result<Self, FileError> {
+        let text = text.trim_start_matches('\u{feff}');
+        let list = text.trim_start().starts_with('[');
+        // The numbers of JSON have one form, and the fields of a document have their names.
+        let unused = match list {
+            true => TableOptions { columns: None, ..options.clone() }.given(),
+            false => options.given(),
+        };
+        if let Some(option) = unused {
+            return Err(FileError::NoTable { option });
+        }
+        if list {
+            return json_points::read(text, options.columns.as_ref());
+        }
+        let other = !text.trim_start().starts_with('{') && !text.trim().is_empty();
+        let Head { format, balls } = if other { Head::default() } else { parse(text)? };
         let Some(format) = format.or_else(|| balls.map(|_| Format::Bil.extension().to_owned())) else {
             return Err(FileError::Text {
                 line: 1,
                 place: String::new(),
-                problem: "missing field `format`".to_owned(),
+                problem: json_points::WANTED.to_owned(),
             });
         };
         let Some(format) = Format::from_extension(&format) else {
@@ -71,7 +94,7 @@ impl Document {
 }
 
 /// All that is read at first.
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 struct Head {
     format: Option<String>,
     /// Games of billiards were saved without their format once.
@@ -93,13 +116,15 @@ fn fields<T: DeserializeOwned>(text: &str) -> Result<T, FileError> {
 }
 
 fn parse<T: DeserializeOwned>(text: &str) -> Result<T, FileError> {
-    let text = text.trim_start_matches('\u{feff}');
-    serde_json::from_str(text).map_err(|error| {
-        let (line, column) = (error.line().max(1), error.column());
-        let message = error.to_string();
-        let problem = message.split_once(" at line ").map_or(message.as_str(), |(problem, _)| problem);
-        FileError::Text { line, place: json_text::place(text, line, column), problem: problem.to_owned() }
-    })
+    serde_json::from_str(text).map_err(|error| wrong(text, &error))
+}
+
+/// What is wrong with a text, at its line and field.
+pub(super) fn wrong(text: &str, error: &serde_json::Error) -> FileError {
+    let (line, column) = (error.line().max(1), error.column());
+    let message = error.to_string();
+    let problem = message.split_once(" at line ").map_or(message.as_str(), |(problem, _)| problem);
+    FileError::Text { line, place: json_text::place(text, line, column), problem: problem.to_owned() }
 }
 
 /// A value read from an object whose `"format"` has been taken out. (serde's own tagged enums read through

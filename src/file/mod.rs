@@ -2,7 +2,8 @@
 //!
 //! [`Document::read`] trusts no byte: a file is refused with what is wrong and where.
 //! [`Document::write`] gives a file that the DOS program reads and draws rightly. JSON holds everything
-//! that a document can, also what the DOS format has no place for: settings, fractions, more points.
+//! that a document can, also what the DOS format has no place for: settings, fractions, more points. Points are
+//! read from tables of text as people have them, with [`TableOptions`] for what a table does not tell.
 //! Nothing is opened or saved here; [`crate::machine`] does that.
 //!
 //! ```
@@ -22,22 +23,23 @@
 mod billiards;
 mod check;
 mod convert;
-mod csv;
 pub mod cube;
 mod document;
 mod error;
 mod format;
 mod fourier;
 mod json;
+mod json_points;
 mod json_text;
 mod net;
 mod plane;
 mod settings;
 mod space;
+mod table;
 pub mod wheel;
 
 pub use check::MAX_POINTS;
-pub use convert::{FileKind, convert};
+pub use convert::{FileKind, TABLES, convert};
 pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;
 pub use error::FileError;
@@ -47,4 +49,5 @@ pub use net::{Net, NetKind};
 pub use plane::{FIELD, PlanePoints, Tangent, Tangents};
 pub use settings::{CurveSettings, Method, NetSettings};
 pub use space::{SPACE_VIEW, SpacePoints};
+pub use table::{Columns, Decimal, Delimiter, TableOptions};
 pub use wheel::BeadWheel;

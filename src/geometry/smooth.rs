@@ -89,6 +89,22 @@ impl Default for Smoothing {
     }
 }
 
+impl Smoothing {
+    /// The usual smoothing of so many measured points: [`DENSITY`], or as much of it as [`MAX_FILTERED`] allows.
+    #[must_use]
+    pub fn of(measured: usize) -> Self {
+        let usual = Self::default();
+        Self { density: usual.density.min(Self::largest_density(measured)), ..usual }
+    }
+
+    /// The largest density with which [`Stage::Both`] takes so many measured points; at least 1, which may be too
+    /// much as well.
+    #[must_use]
+    pub fn largest_density(measured: usize) -> usize {
+        ((MAX_FILTERED - 1) / measured.saturating_sub(1).max(1)).max(1)
+    }
+}
+
 /// How far the smoothed points are from the measured ones, in the units of the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residuals {
@@ -113,6 +129,25 @@ impl Residuals {
         let share = |distance: &f64| if largest > 0.0 { (distance / largest).powi(2) } else { 0.0 };
         let mean = distances.iter().map(share).sum::<f64>() / distances.len() as f64;
         Some(Self { rms: largest * mean.sqrt(), largest, at: index + 1 })
+    }
+
+    /// The root of the mean square and the largest distance as text: with so many decimals, or with a power of ten
+    /// where these would not show two digits of them.
+    ///
+    /// ```
+    /// use grafika::geometry::Residuals;
+    ///
+    /// let residuals = Residuals { rms: 8.04e-7, largest: 12.0, at: 4 };
+    /// assert_eq!(residuals.texts(4), ["8.0e-7", "12.0000"]);
+    /// ```
+    #[must_use]
+    pub fn texts(&self, decimals: usize) -> [String; 2] {
+        // The decimals fit into an exponent: there are a few of them.
+        let least = 10_f64.powi(1 - decimals.min(300) as i32);
+        [self.rms, self.largest].map(|value| match value == 0.0 || (least..1e9).contains(&value) {
+            true => format!("{value:.decimals$}"),
+            false => format!("{value:.1e}"),
+        })
     }
 }
 
@@ -334,6 +369,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_usual_density_keeps_the_limit() {
+        for (n, density) in [(3, 16), (2048, 16), (2049, 15), (2500, 13), (32768, 1), (40000, 1)] {
+            assert_eq!(Smoothing::of(n).density, density, "{n}");
+            assert_eq!(check_density(n, density).is_ok(), n <= MAX_FILTERED, "{n}");
+        }
+        assert!(check_density(2500, 14).is_err());
     }
 
     #[test]

@@ -11,15 +11,17 @@ mod open;
 mod options;
 mod outlet;
 pub mod progress;
+mod table;
 
 pub use config::configure;
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use install::Install;
-pub use open::{Opened, kind_of, open, open_as};
+pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::{say, write_output};
+pub use table::TableArgs;
 
 use crate::file::{Document, Format};
 use crate::machine::{SAMPLES, Session};
@@ -76,11 +78,20 @@ impl Program {
     pub fn command(&self) -> Command {
         let command = Command::new(self.manual.name);
         let (command, examples) = match self.command_line {
-            CommandLine::Usual => (Options::augment_args(command), examples(self)),
+            CommandLine::Usual => (self.with_tables(Options::augment_args(command)), examples(self)),
             CommandLine::Install => (Install::augment_args(command), Install::examples(self.manual.name)),
         };
         // Set last: the options bring a description of their own.
         command.about(self.manual.about.1).version(env!("CARGO_PKG_VERSION")).after_help(examples)
+    }
+
+    /// Hides the options of tables where no points are opened.
+    fn with_tables(&self, command: Command) -> Command {
+        let points = [Format::Ip2, Format::Ic2, Format::Ip3];
+        let hidden = !self.opens.iter().any(|format| points.contains(format));
+        TableArgs::NAMES
+            .into_iter()
+            .fold(command, |command, name| command.mut_arg(name, |arg| arg.hide(hidden)))
     }
 
     /// Starts the program with the options of a command line and stays until it has ended.
@@ -89,11 +100,12 @@ impl Program {
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
         let (path, run_options) = (options.file.as_deref(), options.run.preferred());
+        let table = options.table.options();
         let script = run_options.script.as_deref().map(display::read_script).transpose()?;
         let folder = path.map_or_else(|| run_options.folder(), folder_of);
         let mut machine = run_options.machine(folder, script.as_ref());
         // Through the machine's own storage, which remembers what was read.
-        let opened = path.map(|path| open_in(machine.storage(), path, None)).transpose()?;
+        let opened = path.map(|path| open_in(machine.storage(), path, None, &table)).transpose()?;
         if let Some(Opened { name, document: Document::Tangents(_), .. }) = &opened {
             return Err(Failure::work(format!(
                 "{name} holds tangents only; no .IC2 file with the points lies beside it"

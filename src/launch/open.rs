@@ -2,7 +2,7 @@
 
 use super::Failure;
 use crate::disk::{Folder, read_limited, read_stream};
-use crate::file::{Document, FileKind, Format};
+use crate::file::{Document, FileError, FileKind, Format, TABLES, TableOptions};
 use crate::machine::{Storage, StorageProblem};
 use crate::work::with_twin;
 use std::path::{Path, PathBuf};
@@ -26,18 +26,19 @@ pub struct Opened {
 /// # Errors
 /// [`Failure`] with the name and what is wrong: no such file, an unknown extension, a wrong content.
 pub fn open(path: &Path) -> Result<Opened, Failure> {
-    open_as(path, None)
+    open_as(path, None, &TableOptions::default())
 }
 
-/// Like [`open`], with the kind of file if it is not to follow from the name. `-` is standard input and needs a kind.
+/// Like [`open`], with the kind of file if it is not to follow from the name, and what is said about a table. `-`
+/// is standard input and needs a kind.
 ///
 /// # Errors
-/// Those of [`open`], and `-` without a kind.
-pub fn open_as(path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
+/// Those of [`open`], `-` without a kind, and options of a table for another file.
+pub fn open_as(path: &Path, from: Option<FileKind>, table: &TableOptions) -> Result<Opened, Failure> {
     if path == Path::new("-") {
-        return open_stdin(from);
+        return open_stdin(from, table);
     }
-    open_in(&Folder::new(folder_of(path)), path, from)
+    open_in(&Folder::new(folder_of(path)), path, from, table)
 }
 
 /// The folder of a path.
@@ -46,7 +47,12 @@ pub(super) fn folder_of(path: &Path) -> PathBuf {
 }
 
 /// Opens a data file by its path, through the storage of its folder.
-pub(super) fn open_in(storage: &dyn Storage, path: &Path, from: Option<FileKind>) -> Result<Opened, Failure> {
+pub(super) fn open_in(
+    storage: &dyn Storage,
+    path: &Path,
+    from: Option<FileKind>,
+    table: &TableOptions,
+) -> Result<Opened, Failure> {
     let name = path.display().to_string();
     if path.is_dir() {
         return Err(Failure::work(format!("{name}: this is a folder, not a file")));
@@ -55,10 +61,9 @@ pub(super) fn open_in(storage: &dyn Storage, path: &Path, from: Option<FileKind>
         return Err(Failure::work(format!("{name:?} is not the name of a file")));
     };
     let folder = folder_of(path);
-    let kind = from.map_or_else(|| kind_of(path), Ok)?;
+    let kind = from.or_else(|| input_kind(path)).map_or_else(|| kind_of(path), Ok)?;
     let content = content_of(storage, path, file_name)?;
-    let document =
-        Document::decode(kind, &content).map_err(|problem| Failure::work(format!("{name}: {problem}")))?;
+    let document = Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?;
     let (document, file_name) = with_twin(document, storage, file_name);
     Ok(Opened { name, file_name, folder, document })
 }
@@ -83,20 +88,31 @@ fn content_of(storage: &dyn Storage, path: &Path, file_name: &str) -> Result<Vec
     })
 }
 
-fn open_stdin(from: Option<FileKind>) -> Result<Opened, Failure> {
-    let kind = from.ok_or_else(|| Failure::usage("- has no extension: say what comes, as in --from ip2"))?;
-    let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
-    let content = read_stream(std::io::stdin().lock()).map_err(|error| failure(error.to_string()))?;
-    let document = Document::decode(kind, &content).map_err(|problem| failure(problem.to_string()))?;
-    Ok(Opened {
-        name: "standard input".to_owned(),
-        file_name: String::new(),
-        folder: PathBuf::new(),
-        document,
-    })
+/// Why a file is not read; options that it does not take are a matter of usage.
+fn failure(name: &str, error: &FileError) -> Failure {
+    let message = format!("{name}: {error}");
+    match error {
+        FileError::NoTable { .. } => Failure::usage(message),
+        _ => Failure::work(message),
+    }
 }
 
-/// The kind of a file by its name.
+fn open_stdin(from: Option<FileKind>, table: &TableOptions) -> Result<Opened, Failure> {
+    let kind = from.ok_or_else(|| Failure::usage("- has no extension: say what comes, as in --from ip2"))?;
+    let name = "standard input".to_owned();
+    let content =
+        read_stream(std::io::stdin().lock()).map_err(|error| Failure::work(format!("{name}: {error}")))?;
+    let document = Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?;
+    Ok(Opened { name, file_name: String::new(), folder: PathBuf::new(), document })
+}
+
+/// The kind of a file that is read, by its name: also tables that are written under another one.
+#[must_use]
+pub fn input_kind(path: &Path) -> Option<FileKind> {
+    path.extension().and_then(|extension| FileKind::from_input_extension(&extension.to_string_lossy()))
+}
+
+/// The kind of a file that is written, by its name.
 ///
 /// # Errors
 /// [`Failure`] that lists the extensions there are.
@@ -105,7 +121,9 @@ pub fn kind_of(path: &Path) -> Result<FileKind, Failure> {
     FileKind::from_name(&name).ok_or_else(|| {
         let known: Vec<String> =
             Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
-        let known = known.join(" ");
-        Failure::work(format!("{name}: no data file has this extension; there are {known} .json .csv"))
+        let (known, tables) = (known.join(" "), TABLES.join(" ."));
+        Failure::work(format!(
+            "{name}: no data file has this extension; there are {known} .json .csv, and for reading .{tables}"
+        ))
     })
 }

@@ -1,6 +1,6 @@
 //! The options that every program takes.
 
-use super::config;
+use super::{TableArgs, config};
 use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
 use crate::machine::{Language, Machine, Manner, Preferences, Script, Settings, Shown};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -39,6 +39,9 @@ impl Code {
 pub struct Options {
     /// Data file to open at the start (.IP2, .json, ...), or the name of a built-in sample
     pub file: Option<PathBuf>,
+    /// How a table in the file is read.
+    #[command(flatten)]
+    pub table: TableArgs,
     /// How the program runs.
     #[command(flatten)]
     pub run: RunOptions,
@@ -124,7 +127,7 @@ impl RunOptions {
 
     /// These options with a file, or without.
     pub fn with_file(&self, file: Option<PathBuf>) -> Options {
-        Options { file, run: self.clone() }
+        Options { file, table: TableArgs::default(), run: self.clone() }
     }
 
     /// A machine with these options and a folder for its files. Scripts keep no unsaved work, so that they play alike

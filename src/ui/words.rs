@@ -3,7 +3,7 @@
 
 pub use super::phrase::{Hot, Phrase, Words};
 use crate::file::{FileError, Format};
-use crate::geometry::GeometryError;
+use crate::geometry::{GeometryError, Residuals};
 use crate::machine::{Language, StorageError, StorageProblem};
 use std::borrow::Cow;
 use std::time::Duration;
@@ -433,12 +433,10 @@ pub(crate) const HELP_WORKSHOP: Words = Words(
 );
 pub(crate) const TAKE_OVER: Words = Words("Enter - átvesz  ESC - vissza", "Enter - take   ESC - back");
 
-/// How far smoothed points are from the measured ones; `at` is the number of the farthest.
-pub(crate) fn residuals(rms: f64, largest: f64, at: usize) -> Phrase {
-    Phrase::new(
-        format!("RMS {rms:.2}, max. {largest:.2} ({at}.)"),
-        format!("RMS {rms:.2}, max. {largest:.2} (no. {at})"),
-    )
+/// How far smoothed points are from the measured ones, with the number of the farthest.
+pub(crate) fn residuals(residuals: &Residuals) -> Phrase {
+    let ([rms, largest], at) = (residuals.texts(2), residuals.at);
+    Phrase::new(format!("RMS {rms}, max. {largest} ({at}.)"), format!("RMS {rms}, max. {largest} (no. {at})"))
 }
 
 // The surface programs.

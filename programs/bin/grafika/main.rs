@@ -42,6 +42,7 @@ const EXAMPLES: &str = "Examples:
 
 const INFO_EXAMPLES: &str = "Examples:
   grafika info A.IP2
+  grafika info measured.csv --columns time,volts
   cat a.json | grafika info - --from json";
 
 const COMPLETIONS_EXAMPLES: &str = "Examples:
@@ -145,7 +146,7 @@ fn show_text_menu(options: &RunOptions) -> Result<(), Failure> {
 /// Starts the program that a data file belongs to.
 fn open_with_program(options: &Options) -> Result<(), Failure> {
     let Some(file) = &options.file else { return show_menu(&options.run) };
-    let format = grafika::launch::open(file)?.document.format();
+    let format = grafika::launch::open_as(file, None, &options.table.options())?.document.format();
     match programs::of_format(format) {
         Some(program) => program.start(options),
         None => Err(Failure::work(format!("{}: no program opens {}", file.display(), format.english()))),

@@ -3,8 +3,10 @@
 use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
-use grafika::geometry::{DENSITY, GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth};
-use grafika::launch::{Failure, open_as, progress, say, write_output};
+use grafika::geometry::{
+    DENSITY, GeometryError, MAX_FILTERED, Point, Residuals, Smoothed, Smoothing, Stage, smooth,
+};
+use grafika::launch::{Failure, TableArgs, open_as, progress, say, write_output};
 use std::path::PathBuf;
 
 /// The command line of `grafika smooth`.
@@ -12,13 +14,15 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   grafika smooth Y.IP2 -o y.csv
   grafika smooth Y.IP2 --stage bspline -o smooth.ip2
+  grafika smooth scope.csv --columns time,volts -o smooth.csv
   cat measured.csv | grafika smooth - --from csv -o - > smooth.csv")]
 pub(crate) struct Smooth {
-    /// Measured points: .IP2, .IC2, .IP3, .csv with the header x,y or x,y,z, .json, a built-in sample, or - for
-    /// standard input
+    /// Measured points: .IP2, .IC2, .IP3, a table as .csv, .json, a built-in sample, or - for standard input
     input: PathBuf,
     #[command(flatten)]
     from: InputFormat,
+    #[command(flatten)]
+    table: TableArgs,
     /// Where to write the points: .csv and .json as they are, .IP3, .IP2 and .IC2 rounded to whole numbers
     /// (which must lie in the field of 560x380); - is CSV on standard output
     #[arg(short, long, value_name = "OUT")]
@@ -30,8 +34,9 @@ pub(crate) struct Smooth {
     #[arg(long, value_enum, value_name = "STAGE", default_value_t = StageName::Both)]
     stage: StageName,
     /// Points of the B-spline for every measured point that the Bézier curve approaches; more smooth less
-    #[arg(long, value_name = "N", default_value_t = DENSITY as u32, value_parser = clap::value_parser!(u32).range(1..))]
-    density: u32,
+    /// [default: 16, of many measured points fewer]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    density: Option<u32>,
 }
 
 /// A stage by its name.
@@ -50,17 +55,17 @@ impl Smooth {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let to_stdout = is_stream(&self.output);
         let kind = output_kind(&self.output, self.to.or(to_stdout.then_some(FileKind::Csv)))?;
-        let opened = open_as(&self.input, self.from.from)?;
+        let opened = open_as(&self.input, self.from.from, &self.table.options())?;
         let alive = progress::alive("smoothing");
-        let failure = |error: GeometryError| Failure::work(format!("{}: {error}", opened.name));
-        let (document, residuals) = match &opened.document {
+        let failure = |error: GeometryError| Failure::work(format!("{}: {}", opened.name, self.said(&error)));
+        let (document, residuals, measured) = match &opened.document {
             Document::PlanePoints(plane) => {
                 let Smoothed { points, residuals } = self.smoothed(&plane.points).map_err(failure)?;
-                (Document::PlanePoints(PlanePoints::new(stored(kind, points))), residuals)
+                (Document::PlanePoints(PlanePoints::new(stored(kind, points))), residuals, plane.points.len())
             }
             Document::SpacePoints(space) => {
                 let Smoothed { points, residuals } = self.smoothed(&space.points).map_err(failure)?;
-                (Document::SpacePoints(SpacePoints::new(points)), residuals)
+                (Document::SpacePoints(SpacePoints::new(points)), residuals, space.points.len())
             }
             _ => {
                 return Err(Failure::work(format!(
@@ -78,7 +83,10 @@ impl Smooth {
             Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
         })?;
         write_output(Some(&self.output), &content)?;
-        let line = format!("{}: {}", opened.name, told(residuals));
+        if let Some(density) = self.told_density(measured) {
+            say("grafika", &format!("{}: {density}", opened.name));
+        }
+        let line = format!("{}: {}", opened.name, told(&residuals));
         match to_stdout {
             // The points have standard output to themselves.
             true => say("grafika", &line),
@@ -88,12 +96,42 @@ impl Smooth {
     }
 
     fn smoothed<const D: usize>(&self, points: &[Point<D>]) -> Result<Smoothed<D>, GeometryError> {
+        smooth(points, self.smoothing(points.len()))
+    }
+
+    /// How so many points are smoothed.
+    fn smoothing(&self, measured: usize) -> Smoothing {
         let stage = match self.stage {
             StageName::Bspline => Stage::BSpline,
             StageName::Bezier => Stage::Bezier,
             StageName::Both => Stage::Both,
         };
-        smooth(points, Smoothing { stage, density: self.density as usize, ..Smoothing::default() })
+        let usual = Smoothing::of(measured);
+        let density = self.density.map_or(usual.density, |density| density as usize);
+        Smoothing { stage, density, ..usual }
+    }
+
+    /// A density that is not the usual one because there are many points.
+    fn told_density(&self, measured: usize) -> Option<String> {
+        let density = self.smoothing(measured).density;
+        let adapted = matches!(self.stage, StageName::Both) && self.density.is_none() && density < DENSITY;
+        adapted.then(|| {
+            format!(
+                "--density {density} instead of {DENSITY}, the most for {measured} points: the Bézier curve takes \
+                 {MAX_FILTERED} control points"
+            )
+        })
+    }
+
+    /// An error, with the option that avoids it.
+    fn said(&self, error: &GeometryError) -> String {
+        match error {
+            GeometryError::TooManyPoints { .. } => match (&self.stage, self.density) {
+                (StageName::Both, Some(2..)) => format!("{error}; a smaller --density needs fewer"),
+                _ => format!("{error}; --stage bspline takes more"),
+            },
+            _ => error.to_string(),
+        }
     }
 }
 
@@ -108,6 +146,7 @@ fn stored(kind: FileKind, points: Vec<Point<2>>) -> Vec<Point<2>> {
 }
 
 /// The residuals before any rounding, in a line.
-fn told(Residuals { rms, largest, at }: Residuals) -> String {
-    format!("RMS residual {rms:.4}, largest {largest:.4} at point {at}")
+fn told(residuals: &Residuals) -> String {
+    let [rms, largest] = residuals.texts(4);
+    format!("RMS residual {rms}, largest {largest} at point {}", residuals.at)
 }

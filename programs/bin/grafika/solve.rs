@@ -3,7 +3,7 @@
 use crate::source::InputFormat;
 use clap::Args;
 use grafika::disk::read_stream;
-use grafika::file::{CsangoCube, Document};
+use grafika::file::{CsangoCube, Document, TableOptions};
 use grafika::launch::{Failure, open_as, progress, write_output};
 use grafika::puzzle::cube::{Count, PIECES, Progress, Rules, Search as Filling, Way, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
@@ -59,7 +59,7 @@ impl Solve {
         if !self.puzzle.contains('.') && from.is_none() {
             return self.text(self.puzzle.trim());
         }
-        match open_as(Path::new(&self.puzzle), from)?.document {
+        match open_as(Path::new(&self.puzzle), from, &TableOptions::default())?.document {
             Document::BeadWheel(wheel) => {
                 self.wheel(&Wheel::try_from(&wheel).map_err(|error| self.problem(error))?)
             }

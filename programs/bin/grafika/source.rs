@@ -2,7 +2,7 @@
 
 use clap::Args;
 use grafika::file::FileKind;
-use grafika::launch::{Failure, Opened, kind_of, open_as};
+use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -12,13 +12,15 @@ pub(crate) struct Source {
     file: PathBuf,
     #[command(flatten)]
     from: InputFormat,
+    #[command(flatten)]
+    table: TableArgs,
 }
 
 /// The format of what is read.
 #[derive(Args)]
 pub(crate) struct InputFormat {
     /// Format of what is read (ip2, zms, json, csv, ...), where no name says it
-    #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]
+    #[arg(long, value_name = "EXT", value_parser = input_kind_by_extension)]
     pub(crate) from: Option<FileKind>,
 }
 
@@ -26,10 +28,10 @@ impl Source {
     /// Reads the file or standard input.
     pub(crate) fn open(&self) -> Result<Opened, Failure> {
         let known = self.from.from.is_some() || is_stream(&self.file) || self.file.is_dir();
-        if let (false, Err(failure)) = (known, kind_of(&self.file)) {
+        if let (false, Err(failure)) = (known || input_kind(&self.file).is_some(), kind_of(&self.file)) {
             return Err(Failure::work(format!("{failure}; --from says what else it holds")));
         }
-        open_as(&self.file, self.from.from)
+        open_as(&self.file, self.from.from, &self.table.options())
     }
 }
 
@@ -49,7 +51,12 @@ pub(crate) fn output_kind(path: &Path, said: Option<FileKind>) -> Result<FileKin
     }
 }
 
-/// A kind of file by its extension, with or without a dot.
+/// A kind of file that is read by its extension, with or without a dot.
+fn input_kind_by_extension(text: &str) -> Result<FileKind, String> {
+    FileKind::from_input_extension(text.trim_start_matches('.')).map_or_else(|| kind_by_extension(text), Ok)
+}
+
+/// A kind of file that is written by its extension, with or without a dot.
 pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
     FileKind::from_extension(text.trim_start_matches('.'))
         .ok_or_else(|| "no data file has this extension; there are ip2 ic2 ec2 gbp ip3 fhc fps fem fpb fbs zms zmb zys zyb zyp gyk csk json csv".into())

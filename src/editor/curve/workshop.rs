@@ -37,7 +37,7 @@ where
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         }
-        let smoothed = match smooth(&self.history.now().points, Smoothing::default()) {
+        let smoothed = match smooth(&self.history.now().points, Smoothing::of(self.count())) {
             Ok(smoothed) => smoothed,
             Err(error) => {
                 desk.tell(refusal::of_curve(&error.into()), Stay::UntilRead);
@@ -96,7 +96,7 @@ where
         for (x, y) in self.smoothed.points.iter().map(|&point| self.editor.lens.pixel(point)) {
             screen.disc(x, y, RADIUS, Color::LightGreen, Color::Black);
         }
-        draw_page(screen, self.smoothed.residuals, language);
+        draw_page(screen, &self.smoothed.residuals, language);
     }
 
     fn figure(&self) -> Option<Figure> {
@@ -107,7 +107,7 @@ where
 }
 
 /// The communication page: which colour is which curve, the residuals, the keys.
-fn draw_page(screen: &mut Screen, Residuals { rms, largest, at }: Residuals, language: Language) {
+fn draw_page(screen: &mut Screen, residuals: &Residuals, language: Language) {
     page(screen, TOP);
     let mut x = LEFT;
     for (_, name, color) in Kind::ALL.into_iter().filter(|(kind, ..)| COMPARED.contains(kind)) {
@@ -115,6 +115,6 @@ fn draw_page(screen: &mut Screen, Residuals { rms, largest, at }: Residuals, lan
         screen.text(x + 12, 10, name, Color::Black);
         x += 26 + 8 * name.chars().count() as i32; // names of a few letters
     }
-    screen.text(LEFT, 22, words::residuals(rms, largest, at).of(language), Color::Black);
+    screen.text(LEFT, 22, words::residuals(residuals).of(language), Color::Black);
     screen.text(LEFT, 35, words::TAKE_OVER.of(language), Color::Black);
 }
