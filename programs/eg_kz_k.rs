@@ -2,23 +2,37 @@
 //! of mask bits, then a face whose eyes are shut by the mouse buttons.
 
 use super::groups;
-use crate::cursor;
-use crate::machine::{Asked, Button, Key, Language, Machine, Mouse, Pointer, Tick};
+use crate::cursor::{self, Action, LEAVE, MOVE};
+use crate::machine::{Asked, Button, Key, Language, Machine, Mouse, Pointer};
 use crate::screen::{HEIGHT, Masks, Screen, WIDTH};
-use crate::ui::{Area, CommandLine, Demo, Desk, Lesson, Manual, Program, Words, without_document};
+use crate::ui::{
+    Area, Command, CommandLine, Commands, Demo, Desk, KeyHelp, Lesson, Manual, Program, Words, line,
+    without_document,
+};
 use serde::Serialize;
+
+const POINTER: KeyHelp =
+    (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer"));
+const WINK: KeyHelp = (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink"));
+const NEXT: KeyHelp = line("Enter", "1. rész: tovább a másodikra", "part 1: go on to the second");
+const OTHERS: KeyHelp = (Words("bármi más", "any other"), Words("2. rész: vége", "part 2: end"));
+
+pub(super) const COMMANDS: Commands<Action> = Commands(&[
+    Command { help: Some(POINTER), ..MOVE[0] },
+    MOVE[1],
+    MOVE[2],
+    MOVE[3],
+    Command::told(WINK),
+    Command::key(Key::Enter, NEXT, Action::Next),
+    LEAVE,
+    Command::told(OTHERS),
+]);
 
 const MANUAL: Manual = Manual {
     name: "eg_kz_k",
     about: Words("Az egérkurzor két maszkja", "The two masks of the mouse pointer"),
     intro: Words("", ""),
-    keys: &[
-        (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer")),
-        (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink")),
-        (Words("Enter", "Enter"), Words("1. rész: tovább a másodikra", "part 1: go on to the second")),
-        (Words("Esc", "Esc"), Words("vége", "end")),
-        (Words("bármi más", "any other"), Words("2. rész: vége", "part 2: end")),
-    ],
+    keys: &COMMANDS.help::<{ COMMANDS.lines() }>(),
     lesson: &[
         Lesson::Line(Words(
             "Az egérkezelő a kurzor minden képpontján ezt végzi el:",
@@ -106,13 +120,13 @@ impl Part {
         }
     }
 
-    /// Whether a tick ends this part: Enter the first one, any key the second one, but for the keys that
-    /// move the pointer and those with a meaning in every program.
-    fn ends(self, tick: &Tick) -> bool {
-        match (self, tick.key()) {
-            (Part::Quarters, key) => key == Some(Key::Enter),
-            (Part::Face, None | Some(Key::Up | Key::Down | Key::Left | Key::Right | Key::F(_))) => false,
-            (Part::Face, Some(_)) => true,
+    /// Whether a key ends this part: Enter the first one, any key the second one, except those that move the
+    /// pointer and those with a meaning in every program.
+    fn ends(self, key: Option<Key>, action: Option<Action>) -> bool {
+        match (self, key, action) {
+            (Part::Quarters, ..) => action == Some(Action::Next),
+            (Part::Face, None | Some(Key::F(_)), _) | (Part::Face, _, Some(Action::Move(..))) => false,
+            (Part::Face, Some(_), _) => true,
         }
     }
 }
@@ -144,13 +158,14 @@ async fn both_parts(desk: &mut Desk<'_>) -> Asked<()> {
                 [Button::Left, Button::Right].map(|button| part == Part::Face && mouse.holds(button));
             desk.machine.publish(Model { part, x: mouse.x, y: mouse.y, left_shut, right_shut });
             let tick = desk.event(&|shown: &mut Screen, _: Language| shown.clone_from(&background)).await?;
-            if tick.pressed(Key::Esc) {
+            let action = COMMANDS.find(&tick);
+            if action == Some(Action::End) {
                 return Ok(());
             }
-            if part.ends(&tick) {
+            if part.ends(tick.key(), action) {
                 break;
             }
-            let (x, y) = cursor::place(&tick, RANGE);
+            let (x, y) = cursor::place(tick.mouse, action, RANGE);
             desk.machine.put_mouse(x, y);
         }
     }

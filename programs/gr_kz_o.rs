@@ -14,10 +14,7 @@ const MANUAL: Manual = Manual {
         "A graphic cursor by or and exclusive-or, background saved",
     ),
     intro: Words("", ""),
-    keys: &[
-        (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),
-        (Words("Esc", "Esc"), Words("vége", "end")),
-    ],
+    keys: cursor::KEYS,
     lesson: &[
         Lesson::Line(Words(
             "1. A kurzor helyén levő háttér mentése.",

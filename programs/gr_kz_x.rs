@@ -10,10 +10,7 @@ const MANUAL: Manual = Manual {
     name: "gr_kz_x",
     about: Words("Grafikus kurzor XOR művelettel", "A graphic cursor by exclusive-or"),
     intro: Words("", ""),
-    keys: &[
-        (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),
-        (Words("Esc", "Esc"), Words("vége", "end")),
-    ],
+    keys: cursor::KEYS,
     lesson: &[
         Lesson::Line(Words(
             "A kurzor képe XOR művelettel kerül a képernyőre, a színszámok bitjein.",

@@ -98,6 +98,11 @@ mod tests {
     }
 
     #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!([vjs::COMMANDS.shared_keys(), eg_kz_k::COMMANDS.shared_keys()].concat(), []);
+    }
+
+    #[test]
     fn every_format_belongs_to_a_program() {
         assert!(Format::ALL.iter().all(|&format| of_format(format).is_some()));
     }

@@ -17,7 +17,7 @@ use std::time::Duration;
 
 /// What a command does.
 #[derive(Clone, Copy)]
-enum Action {
+pub(super) enum Action {
     Tilt(i32, i32),
     Upright,
     Restart,
@@ -34,7 +34,7 @@ const UPRIGHT: KeyHelp = line("Home", "a fogantyú középre", "stick upright");
 const RESTART: KeyHelp = (Words("szóköz", "space"), Words("minden az elejéről", "start again"));
 const END: KeyHelp = line("Q Esc", "vége", "end");
 
-const COMMANDS: Commands<Action> = Commands(&[
+pub(super) const COMMANDS: Commands<Action> = Commands(&[
     Command::told(DRAG),
     Command::key(Key::Left, TILT_IT, Action::Tilt(-TILT_STEP, 0)),
     Command::also(Key::Right, Action::Tilt(TILT_STEP, 0)),
@@ -171,13 +171,5 @@ async fn run(machine: &mut Machine) -> Asked<()> {
             Some(Action::Upright) if !joystick.held => joystick.tilt(0, 0),
             _ => {}
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn no_key_has_two_meanings() {
-        assert_eq!(super::COMMANDS.shared_keys(), []);
     }
 }

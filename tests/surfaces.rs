@@ -7,33 +7,16 @@ use common::reference::Allowance;
 use common::{Kept, pictures, play_script, random, reference};
 use grafika::file::{Document, Format};
 use grafika::machine::{Memory, Storage};
-use grafika::programs::{
-    csav_gy, f_em_spl, f_p_bets, f_p_bezr, f_p_bspl, f_p_herm, f_p_hspl, f_p_spln, zm_betsp, zm_bspl,
-    zm_hspl, zm_spln, zy_betsp, zy_bspl, zy_hspl, zy_spln,
-};
+use grafika::programs::{ALL, groups};
 use grafika::ui::Program;
 
-/// The surface programs.
-const PROGRAMS: &[Program] = &[
-    csav_gy::PROGRAM,
-    f_p_herm::PROGRAM,
-    f_p_spln::PROGRAM,
-    f_em_spl::PROGRAM,
-    f_p_bezr::PROGRAM,
-    f_p_bspl::PROGRAM,
-    f_p_bets::PROGRAM,
-    f_p_hspl::PROGRAM,
-    zm_spln::PROGRAM,
-    zm_bspl::PROGRAM,
-    zm_betsp::PROGRAM,
-    zm_hspl::PROGRAM,
-    zy_spln::PROGRAM,
-    zy_bspl::PROGRAM,
-    zy_betsp::PROGRAM,
-    zy_hspl::PROGRAM,
-];
+/// The surface programs, in the order of the book.
+fn programs() -> impl Iterator<Item = Program> {
+    let surfaces = [&groups::OPEN_SURFACES, &groups::SPHERES, &groups::RINGS];
+    ALL.iter().copied().filter(move |program| surfaces.contains(&program.group))
+}
 
-/// Numbers of the reference screens in the order of [`PROGRAMS`]: those of the original, and those of its
+/// Numbers of the reference screens in the order of [`programs`]: those of the original, and those of its
 /// copy with a fault mended, whose names have an X.
 const SCREENS: [[usize; 2]; 16] = [
     [4, 0],
@@ -68,12 +51,11 @@ fn every_reference_script_gives_the_originals_screen() {
         _ => FILLED,
     };
     let mut all = Vec::new();
-    for (program, counts) in PROGRAMS.iter().zip(SCREENS) {
+    for (program, counts) in programs().zip(SCREENS) {
         let name = program.manual.name.to_uppercase();
         for (suffix, count) in ["_", "X_"].into_iter().zip(counts) {
             let prefix = format!("{name}{suffix}");
-            let (scripts, problems) =
-                reference::compare_all(*program, "reference/surfaces", &prefix, allowed);
+            let (scripts, problems) = reference::compare_all(program, "reference/surfaces", &prefix, allowed);
             assert_eq!(scripts, count, "{prefix}");
             all.extend(problems);
         }
@@ -82,7 +64,7 @@ fn every_reference_script_gives_the_originals_screen() {
 }
 
 fn program(name: &str) -> Program {
-    *PROGRAMS.iter().find(|program| program.manual.name == name).expect("there is such a program")
+    programs().find(|program| program.manual.name == name).expect("there is such a program")
 }
 
 /// Plays a script from a new configuration; the end is kept as `end`.
@@ -211,7 +193,7 @@ fn a_larger_net_is_saved_as_json_with_its_shape() {
 
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
-    for &program in PROGRAMS {
+    for program in programs() {
         random::assert_replays(program, &random::script(7, 300));
     }
 }
@@ -222,8 +204,8 @@ fn a_recorded_session_replays_to_the_same_picture() {
 fn random_events_do_no_harm() {
     let events = random::events();
     let only = std::env::var("GRAFIKA_PROGRAM").ok();
-    let asked = |program: &&Program| only.as_deref().is_none_or(|name| name == program.manual.name);
-    for &program in PROGRAMS.iter().filter(asked) {
+    let asked = |program: &Program| only.as_deref().is_none_or(|name| name == program.manual.name);
+    for program in programs().filter(asked) {
         random::storm(program, events);
     }
 }

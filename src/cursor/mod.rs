@@ -5,13 +5,40 @@
 //! puts of the technique and nothing else. The pointer of the mouse driver, which needs none of
 //! this, is [`crate::screen::Masks`].
 
-use crate::machine::{Asked, Key, Language, Machine, Pointer, Tick};
+use crate::machine::{Asked, Key, Language, Machine, Mouse, Pointer};
 use crate::screen::{Bitmap, Color, HEIGHT, Masks, Put, Screen, WIDTH};
-use crate::ui::{Area, Desk, Manual};
+use crate::ui::{Area, Command, Commands, Desk, END, KeyHelp, Manual, Words};
 use serde::Serialize;
 
 /// Where the mouse may go in the programs with a cursor of their own; the edges belong to it.
 const RANGE: Area = Area::new(12, 12, 631, 472);
+
+/// What a key does in a program with a cursor of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// Moves the cursor by so many pixels.
+    Move(i32, i32),
+    /// Goes on to the next part, in a program of several.
+    Next,
+    /// Ends the program.
+    End,
+}
+
+const MOVE_IT: KeyHelp =
+    (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor"));
+/// The arrow keys.
+pub const MOVE: [Command<Action>; 4] = [
+    Command::key(Key::Up, MOVE_IT, Action::Move(0, -1)),
+    Command::also(Key::Down, Action::Move(0, 1)),
+    Command::also(Key::Left, Action::Move(-1, 0)),
+    Command::also(Key::Right, Action::Move(1, 0)),
+];
+/// Esc.
+pub const LEAVE: Command<Action> = Command::key(Key::Esc, END, Action::End);
+
+const COMMANDS: Commands<Action> = Commands(&[MOVE[0], MOVE[1], MOVE[2], MOVE[3], LEAVE]);
+/// The help page of [`run`].
+pub const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
 /// How a cursor is taken off the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,18 +123,12 @@ pub fn patchwork(size: i32, modulus: i32, first: i32) -> Screen {
     screen
 }
 
-/// Where a tick takes a cursor: to the mouse, or a pixel on with an arrow key, but not out of the range,
-/// whose edges belong to it.
+/// Where a cursor goes: to the mouse, or on from there with an arrow key, but not out of the range, whose edges
+/// belong to it.
 #[must_use]
-pub fn place(tick: &Tick, range: Area) -> (i32, i32) {
-    let (dx, dy) = match tick.key() {
-        Some(Key::Up) => (0, -1),
-        Some(Key::Down) => (0, 1),
-        Some(Key::Left) => (-1, 0),
-        Some(Key::Right) => (1, 0),
-        _ => (0, 0),
-    };
-    (bounded(tick.mouse.x + dx, range.x1, range.x2), bounded(tick.mouse.y + dy, range.y1, range.y2))
+pub fn place(mouse: Mouse, action: Option<Action>, range: Area) -> (i32, i32) {
+    let (dx, dy) = if let Some(Action::Move(dx, dy)) = action { (dx, dy) } else { (0, 0) };
+    (bounded(mouse.x + dx, range.x1, range.x2), bounded(mouse.y + dy, range.y1, range.y2))
 }
 
 fn bounded(value: i32, low: i32, high: i32) -> i32 {
@@ -139,10 +160,10 @@ async fn follow(desk: &mut Desk<'_>, mut screen: Screen, mut cursor: Cursor) -> 
         desk.machine.publish(Model { x: at.0, y: at.1 });
         cursor.show(&mut screen, at);
         let tick = desk.event(&|shown: &mut Screen, _: Language| shown.clone_from(&screen)).await?;
-        if tick.pressed(Key::Esc) {
-            return Ok(());
+        match COMMANDS.find(&tick) {
+            Some(Action::End) => return Ok(()),
+            action => at = place(tick.mouse, action, RANGE),
         }
-        at = place(&tick, RANGE);
     }
 }
 
@@ -157,6 +178,11 @@ mod tests {
             Cursor::new(vec![(disc(), Put::Xor)], Removal::PutAgain),
             Cursor::new(vec![(disc(), Put::Or), (disc(), Put::And)], Removal::PutSaved),
         ]
+    }
+
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(COMMANDS.shared_keys(), []);
     }
 
     proptest! {

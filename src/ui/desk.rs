@@ -93,6 +93,9 @@ pub const fn line(keys: &'static str, hungarian: &'static str, english: &'static
     (Words(keys, keys), Words(hungarian, english))
 }
 
+/// The line about the key that ends the smallest programs.
+pub const END: KeyHelp = line("Esc", "vége", "end");
+
 /// What a program says about itself to its user.
 #[derive(Clone, Copy, Debug)]
 pub struct Manual {

@@ -24,7 +24,7 @@ pub mod words;
 
 pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, TOP, Way};
 pub use command::{Command, Commands};
-pub use desk::{Desk, HINT_LINES, Hint, KeyHelp, Manual, Over, Picture, line};
+pub use desk::{Desk, END, HINT_LINES, Hint, KeyHelp, Manual, Over, Picture, line};
 pub use entry::{Accepts, Entry, Typed};
 pub use frame::{Area, Button, page, panel, raised, sunken, window};
 pub use lesson::Lesson;

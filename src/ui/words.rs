@@ -470,7 +470,6 @@ pub(crate) const SURFACE_FOLLOWS_NOT: Words =
 pub(crate) const BORDER_REACHED: Words = Words("A felület a peremig ér", "The surface ends at the border");
 pub(crate) const BORDER_DOUBLED: Words =
     Words("A felület a perem előtt ér véget", "It stops before the border");
-pub(crate) const HELP_END: Words = Words("vége", "end");
 pub(crate) const COLLAPSED: Words = Words(
     "A háló egy vonalon fekszik: a felület vonallá zsugorodik",
     "The net lies on a line, and so does the surface",

@@ -10,7 +10,7 @@ use crate::screen::{Color, Screen};
 use crate::ui::axes::draw_legend;
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words;
-use crate::ui::{Desk, KeyHelp, Manual, Picture, Words};
+use crate::ui::{Command, Commands, Desk, END, KeyHelp, Manual, Picture, Words};
 use serde::Serialize;
 
 /// A surface to be looked at.
@@ -24,15 +24,21 @@ pub struct Show {
     pub grid: Grid,
 }
 
-/// The keys for the help page.
-pub const SHOW_KEYS: &[KeyHelp] = &[
-    (Words("D T", "D T"), words::HELP_SURFACE),
-    keys::TURN_KEYS,
-    keys::TURN_DRAG,
-    keys::ZOOM,
-    keys::HOME,
-    (Words("Esc", "Esc"), words::HELP_END),
-];
+/// What a key does: `None` ends.
+type Action = Option<Display>;
+
+pub(super) const COMMANDS: Commands<Action> = Commands(&[
+    Command::key(Key::Char('D'), (Words("D T", "D T"), words::HELP_SURFACE), Some(Display::Wire)),
+    Command::also(Key::Char('T'), Some(Display::Filled)),
+    Command::told(keys::TURN_KEYS),
+    Command::told(keys::TURN_DRAG),
+    Command::told(keys::ZOOM),
+    Command::told(keys::HOME),
+    Command::key(Key::Esc, END, None),
+]);
+
+/// The help page of [`show`].
+pub const SHOW_KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
 struct Shown {
     grid: Grid,
@@ -81,11 +87,10 @@ pub async fn show(machine: &mut Machine, show: Show) -> Asked<()> {
         if shown.viewer.look_around(&tick) {
             continue;
         }
-        match tick.letter() {
-            Some('D') => shown.display = Display::Wire,
-            Some('T') => shown.display = Display::Filled,
-            _ if tick.pressed(Key::Esc) => return Ok(()),
-            _ => {}
+        match COMMANDS.find(&tick) {
+            Some(Some(display)) => shown.display = display,
+            Some(None) => return Ok(()),
+            None => {}
         }
     }
 }

@@ -112,5 +112,6 @@ mod tests {
         for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER] {
             assert_eq!(commands.shared_keys(), []);
         }
+        assert_eq!(super::super::show::COMMANDS.shared_keys(), []);
     }
 }
