@@ -1,8 +1,8 @@
-//! The clock of the displays that have the system's.
+//! The clock of displays that run on the system's time.
 
 use std::time::{Duration, Instant};
 
-/// The time since a display began.
+/// Time since a display was opened.
 pub(super) struct Clock(Instant);
 
 impl Clock {
@@ -10,12 +10,12 @@ impl Clock {
         Clock(Instant::now())
     }
 
-    /// Whole milliseconds, as scripts count.
+    /// The time in whole milliseconds, the resolution of scripts.
     pub(super) fn now(&self) -> Duration {
         Duration::from_millis(u64::try_from(self.0.elapsed().as_millis()).unwrap_or(u64::MAX))
     }
 
-    /// A moment as the system counts; `None` if it is too far away for that.
+    /// The instant of a moment; `None` if it is beyond the range of [`Instant`].
     pub(super) fn at(&self, moment: Duration) -> Option<Instant> {
         self.0.checked_add(moment)
     }

@@ -1,8 +1,8 @@
-//! Where a session shows itself: a window, a terminal. The canvas of a browser would be the third.
+//! Where a session is shown: a window or a terminal; later the canvas of a browser.
 //!
-//! A display has what only the system can give: a clock, keys, a mouse, something to paint on. It knows nothing of
-//! what a program draws, and programs know nothing of it. What displays do alike is [`Display::step`]; whether it
-//! is called by a loop, as in the terminal, or by a desktop that calls when something has happened, is theirs.
+//! A display provides what only the system can: a clock, keys, a mouse and a surface to paint on. It knows nothing of
+//! what a program draws, and programs know nothing of it. All displays share [`Display::step`]. The terminal calls it
+//! in a loop, the window from desktop events.
 
 #[cfg(any(feature = "window", feature = "terminal"))]
 mod clock;
@@ -14,25 +14,23 @@ pub mod window;
 use crate::machine::Session;
 use std::time::Duration;
 
-/// A place where the picture of a session can be seen.
+/// Shows the picture of a session.
 pub trait Display {
-    /// What can go wrong with it.
+    /// Its error.
     type Error: std::error::Error;
 
-    /// The time since it began to show the session, in whole milliseconds, as scripts count: the time of
-    /// everything that the session is told.
+    /// The time since it began to show the session, in whole milliseconds. Events are passed to the session with
+    /// this time.
     fn now(&self) -> Duration;
 
-    /// Shows the picture, unless it is shown already. A display that is slower than the session may let a picture
-    /// pass; it shows a later one when it is asked again.
+    /// Shows the picture, unless it is shown already. A display that is slower than the session may skip pictures.
     ///
     /// # Errors
-    /// What went wrong; nothing more can be shown then.
+    /// The display has failed and can show nothing more.
     fn show(&mut self, session: &Session) -> Result<(), Self::Error>;
 
-    /// Lets the session's time go on until now, and shows what has come of it. Gives the moment, in the time of
-    /// [`Display::now`], when the session wants this again although nothing has happened; `None` when it waits for
-    /// an event, or has ended.
+    /// Advances the session to the present and shows the result. Returns the session's next deadline, in the time of
+    /// [`Display::now`]; `None` when it waits for an event or has ended.
     ///
     /// # Errors
     /// Those of [`Display::show`].
@@ -45,8 +43,8 @@ pub trait Display {
     }
 }
 
-/// A moment rounded up to whole milliseconds, so that a deadline that is due by the display's clock is due by the
-/// session's too.
+/// Rounds up to whole milliseconds, so that a deadline reached on the display's clock is also reached on the
+/// session's.
 fn whole_milliseconds(moment: Duration) -> Duration {
     Duration::from_millis(u64::try_from(moment.as_nanos().div_ceil(1_000_000)).unwrap_or(u64::MAX))
 }
@@ -58,7 +56,7 @@ mod tests {
     use crate::screen::Color;
     use std::convert::Infallible;
 
-    /// A display whose time is what it is set to; it notes a pixel of every picture.
+    /// A display with a settable time; it records a pixel of every picture.
     #[derive(Default)]
     struct Wall {
         now: Duration,

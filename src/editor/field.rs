@@ -10,12 +10,12 @@ const FRAME: Area = Area::new(25, 54, 637, 466);
 /// Radius of a control point's disc in pixels.
 const RADIUS: i32 = 10;
 
-/// The black ground of the picture.
+/// The black background of the picture.
 pub(super) fn ground(screen: &mut Screen) {
     screen.bar(PICTURE.x1, PICTURE.y1, PICTURE.x2, PICTURE.y2, Color::Black);
 }
 
-/// Everything around the picture: drawn after it, so that a curve that leaves the field goes under.
+/// Everything around the picture. It is drawn later, so that it covers a curve that leaves the field.
 pub(super) fn surroundings(screen: &mut Screen) {
     let Area { x1, y1, x2, y2 } = FRAME;
     screen.bar(0, 0, 639, y1, Color::LightCyan);

@@ -1,4 +1,4 @@
-//! Lines of the help page that mean the same in several programs.
+//! Help lines that several programs share.
 
 use crate::ui::KeyHelp;
 use crate::ui::words::{self, Words};

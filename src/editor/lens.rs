@@ -1,4 +1,4 @@
-//! How an editor sees its places: the field of the plane, or space from a direction that the user turns.
+//! Maps between places and pixels: the flat field, or a view of space that the user turns.
 
 use super::field;
 use crate::figure::{Axes, Figure};
@@ -9,33 +9,33 @@ use crate::ui::axes::{draw_axes, draw_legend};
 use crate::ui::look::{Look, Viewer, pixel};
 use crate::ui::{Area, words};
 
-/// Something taken up by the mouse.
+/// A handle held by the mouse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Held<H, const D: usize> {
     pub(super) handle: H,
-    /// Where the mouse took it up.
+    /// The pixel where it was pressed.
     pub(super) pressed: (i32, i32),
-    /// Where it was.
+    /// Its place before.
     pub(super) from: Point<D>,
-    /// Where it is held.
+    /// Its place now.
     pub(super) at: Point<D>,
 }
 
-/// A way to see places and to move them.
+/// Shows places as pixels, and moves them with the mouse.
 pub(super) trait Lens<const D: usize> {
     /// The pixel of a place.
     fn pixel(&self, place: Point<D>) -> (i32, i32);
-    /// Where something that is held is when the mouse is at a pixel; `None` if the hand only clicks.
+    /// The place of a held handle when the mouse is at a pixel; `None` for a mere click.
     fn dragged<H>(&self, held: &Held<H, D>, mouse: (i32, i32)) -> Option<Point<D>>;
-    /// The place on a figure.
+    /// The point of a place in a figure.
     fn flat(&self, place: Point<D>) -> Point<2>;
-    /// Adds a curve to a figure; one that no arcs come near is left out, as on the screen.
+    /// Adds a curve to a figure. A curve that arcs cannot approximate is left out, as on the screen.
     fn plot(&self, figure: &mut Figure, curve: &dyn ParamCurve<D>, ink: [u8; 3]);
-    /// The axes of a figure of something with these bounds.
+    /// The axes of a figure with these bounds.
     fn axes(&self, bounds: BoundingBox<D>) -> Option<Axes>;
-    /// The indices of points from the farthest to the nearest, which is drawn last.
+    /// Indices of points in drawing order, farthest first.
     fn order(&self, points: &[Point<D>]) -> Vec<usize>;
-    /// Turns and zooms. Whether the event was for that.
+    /// Turns and zooms; returns whether the event was for that.
     fn look_around(&mut self, _: &Tick) -> bool {
         false
     }
@@ -43,11 +43,11 @@ pub(super) trait Lens<const D: usize> {
     fn grab(&mut self, _: (i32, i32)) {}
     /// Ends a turn by the mouse that has been interrupted.
     fn stop(&mut self) {}
-    /// What lies under the picture: grid or axes.
+    /// Draws what lies under the picture: grid or axes.
     fn draw_ground(&self, screen: &mut Screen);
-    /// What stands on the frame.
+    /// Draws what stands on the frame.
     fn draw_rim(&self, _: &mut Screen) {}
-    /// How to leave a result, and to turn it.
+    /// Draws the keys that leave a result and turn it.
     fn draw_legend(&self, screen: &mut Screen, language: Language);
 }
 
@@ -55,9 +55,9 @@ pub(super) trait Lens<const D: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Field;
 
-/// Where the field's origin lies on the screen.
+/// The pixel of the field's origin.
 const ORIGIN: (i32, i32) = (41, 450);
-/// Where the mouse can drag a point to.
+/// The area in which the mouse can drag a point.
 const REACH: Area = Area::new(41, 10, 620, 450);
 
 impl Field {
@@ -134,7 +134,7 @@ impl Lens<3> for Viewer {
         self.look.to_screen(place)
     }
 
-    /// In the plane of the picture.
+    /// Moves parallel to the plane of the picture.
     fn dragged<H>(&self, held: &Held<H, 3>, (x, y): (i32, i32)) -> Option<Point<3>> {
         let area = field::PICTURE;
         let (x, y) = (x.clamp(area.x1, area.x2), y.clamp(area.y1, area.y2));
@@ -179,7 +179,7 @@ impl Lens<3> for Viewer {
     }
 }
 
-/// Whether a hand that went from one pixel to another drags, and does not only click.
+/// Whether a movement from one pixel to another is a drag, not a mere click.
 fn is_drag((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> bool {
     (x2 - x1).pow(2) + (y2 - y1).pow(2) > 2
 }

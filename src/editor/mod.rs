@@ -1,9 +1,9 @@
-//! The editor of control points that the programs share: points are dragged, changed by number, undone, and seen
-//! with the curve or surface that follows them.
+//! The editor of control points that the programs share: points are dragged or changed by number, and the curve or
+//! surface follows them.
 //!
-//! `Editor` is everything that is the same for curves of the plane, curves in space and surfaces: the work loop,
-//! dragging, the stages, picture and figure. What one of them has of its own is a `Craft`. Fourier curves are a
-//! table of coefficients and have an editor of their own.
+//! `Editor` holds everything common to plane curves, space curves and surfaces: the work loop, dragging, stages,
+//! picture and figure. A `Craft` adds what one kind has of its own. Fourier curves are a table of coefficients and
+//! have their own editor.
 
 pub mod curve;
 mod field;
@@ -29,13 +29,13 @@ use seen::Item;
 use serde::Serialize;
 use stage::{Shown, Stage};
 
-/// What one kind of editor has of its own.
+/// What one kind of editor adds to the common part.
 trait Craft<const D: usize>: Sized + 'static {
     /// What is edited, undone and saved: control points and recipe.
     type Value: Clone + PartialEq + 'static;
-    /// What the mouse can take up.
+    /// What the mouse can hold.
     type Handle: Copy + PartialEq + 'static;
-    /// How places are seen.
+    /// The mapping between places and pixels.
     type Lens: Lens<D> + 'static;
     /// What a command does.
     type Action: Copy + 'static;
@@ -44,11 +44,11 @@ trait Craft<const D: usize>: Sized + 'static {
     fn format(&self) -> Format;
     /// The commands.
     fn commands(&self) -> Commands<Self::Action>;
-    /// How a new configuration is looked at.
+    /// The lens of a new configuration.
     fn lens(&self) -> Self::Lens;
-    /// A new configuration after another one, of which what the original kept survives.
+    /// A new configuration; it keeps from the previous one what the original kept.
     fn fresh(&self, before: Option<&Self::Value>) -> Self::Value;
-    /// What a document says, after another configuration; and a remark about it.
+    /// The value of a document that is opened after another configuration, and a remark about it.
     fn of_document(
         &self,
         document: &Document,
@@ -56,13 +56,13 @@ trait Craft<const D: usize>: Sized + 'static {
     ) -> Result<(Self::Value, Option<Phrase>), Phrase>;
     /// The value as a document, with its whole recipe.
     fn document(&self, value: &Self::Value) -> Document;
-    /// The method that the program draws by, where a value names none.
+    /// The program's method, for a value that names none.
     fn implied(&self) -> Option<Method>;
-    /// Whether files of the format have room for the value, its recipe aside.
+    /// Whether a file of the format can hold the value, apart from its recipe.
     fn fits_format(&self, _: &Self::Value) -> bool {
         true
     }
-    /// Whether the value names a curve or surface to be shown at once.
+    /// Whether the value names a curve or surface that is shown at once.
     fn names_shape(&self, value: &Self::Value) -> bool;
     /// Takes up how the program behaves; in the manner of today there is always a usual curve or surface.
     fn behave(&mut self, _: Manner) {}
@@ -75,20 +75,20 @@ trait Craft<const D: usize>: Sized + 'static {
 
     /// The place of a handle.
     fn place(value: &Self::Value, handle: Self::Handle) -> Option<Point<D>>;
-    /// The value with what is held dropped at a place.
+    /// The value with a handle dropped at a place.
     fn moved(value: &Self::Value, handle: Self::Handle, at: Point<D>) -> Self::Value;
-    /// What lies on top at a pixel.
+    /// The topmost handle at a pixel.
     fn handle_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Self::Handle>;
-    /// What there is to be seen, the last on top.
+    /// The visible items, topmost last.
     fn seen(editor: &Editor<Self, D>) -> Vec<Item<D>>;
 
-    /// Forgets what belongs to the configuration before.
+    /// Forgets what belongs to the previous configuration.
     fn forget(editor: &mut Editor<Self, D>);
-    /// What happens before the editor waits for the user.
+    /// Called before the editor waits for the user.
     async fn before_event(_: &mut Editor<Self, D>, _: &mut Desk<'_>) -> Asked<()> {
         Ok(())
     }
-    /// Whether an event only changed how things look.
+    /// Handles an event that only changes the view; returns whether it did.
     fn looked(_: &mut Editor<Self, D>, _: &mut Desk<'_>, _: &Tick) -> bool {
         false
     }
@@ -102,32 +102,32 @@ trait Craft<const D: usize>: Sized + 'static {
     }
     /// Carries out a command.
     async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Self::Action) -> Asked<Next>;
-    /// After undo and redo, and where a change makes what is shown outdated.
+    /// Called after undo and redo, and when a change outdates what is shown.
     fn changed(editor: &mut Editor<Self, D>) {
         editor.shown.after_change();
     }
-    /// What is held has been dropped, and is at `moved` then.
+    /// Called when a handle has been dropped; `moved` is the value that results.
     async fn dropped(
         editor: &mut Editor<Self, D>,
         desk: &mut Desk<'_>,
         held: Held<Self::Handle, D>,
         moved: Self::Value,
     ) -> Asked<()>;
-    /// Why there is no curve or surface.
+    /// The reason why there is no curve or surface.
     fn problem(editor: &Editor<Self, D>) -> Option<Phrase>;
-    /// After a change of parameters that have a curve or surface.
+    /// Called after a change to parameters that have a curve or surface.
     fn reshaped(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>);
 
-    /// Whether the picture shows a result; else says why not.
+    /// Whether there is a result to show; if not, says why.
     async fn begin_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<bool>;
-    /// Back from the result.
+    /// Called on return from the result.
     async fn end_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<()>;
 
-    /// Whether what is seen stands instead of the ground.
+    /// Whether the items replace the background.
     fn covers_ground(_: &Editor<Self, D>) -> bool {
         false
     }
-    /// Draws its own things: in the picture, on the frame, and beside the page.
+    /// Draws what is its own in a part of the screen.
     fn draw(editor: &Editor<Self, D>, layer: picture::Layer, page: &mut picture::Page<'_>);
 }
 
@@ -139,12 +139,12 @@ struct Editor<C: Craft<D>, const D: usize> {
     held: Option<Held<C::Handle, D>>,
     shown: Shown,
     stage: Stage,
-    /// What reading a file had to say although it could be read.
+    /// The remark about a file that was read.
     remark: Option<Phrase>,
     manner: Manner,
 }
 
-/// Makes an editor ready as a program, with a document that was named at the start or none.
+/// Prepares an editor, with or without a document to open.
 fn start<C: Craft<D>, const D: usize>(
     craft: C,
     manual: Manual,
@@ -258,7 +258,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         }
     }
 
-    /// Takes up a value that needs no saving, and looks at it as at the start.
+    /// Replaces the value by one that needs no saving, and resets the view.
     fn load(&mut self, value: C::Value) {
         self.history = History::new(value);
         self.lens = self.craft.lens();
@@ -268,7 +268,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         self.shown.take(self.craft.names_shape(self.history.now()));
     }
 
-    /// The command of a key or of a click; a click on a handle takes it up.
+    /// The command of a key or click; a click on a handle starts to hold it.
     fn command(&mut self, tick: &Tick) -> Option<C::Action> {
         let given = self.craft.commands().find(tick);
         let Some(at) = tick.click().filter(|_| given.is_none()) else { return given };
@@ -287,7 +287,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         clicked
     }
 
-    /// Follows the mouse with what it holds, and drops it.
+    /// Moves the held handle with the mouse, and drops it on release.
     async fn drag(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<()> {
         let Some(mut held) = self.held else { return Ok(()) };
         match tick.event {
@@ -306,13 +306,13 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         Ok(())
     }
 
-    /// The value as it would be if what is held were dropped now.
+    /// The value with the held handle dropped at the mouse.
     fn preview(&self) -> C::Value {
         let now = self.history.now();
         self.held.map_or_else(|| now.clone(), |held| C::moved(now, held.handle, held.at))
     }
 
-    /// Takes other parameters. Those that have no curve or surface are told about, and kept as the user gave them.
+    /// Sets parameters. If they have no curve or surface, it says so and keeps them nevertheless.
     fn reshape(&mut self, desk: &mut Desk<'_>, value: C::Value) {
         self.history.change(value);
         match C::problem(self) {
@@ -321,7 +321,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         }
     }
 
-    /// Shows the curve or surface without its surroundings until Esc.
+    /// Shows the result, without frame and buttons, until Esc.
     async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if !C::begin_result(self, desk).await? {
             return Ok(());

@@ -1,4 +1,4 @@
-//! The picture of the editor: the state as pixels or as a figure, changing nothing.
+//! Draws the editor on the screen and as a figure.
 
 use super::field::{ground, surroundings};
 use super::lens::Lens;
@@ -9,12 +9,12 @@ use crate::machine::Language;
 use crate::screen::{Color, Screen};
 use crate::ui::{self, Hint, Picture, TOP};
 
-/// Where an editor draws things of its own.
+/// The parts of the screen where a craft draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Layer {
-    /// In the picture, under what is seen.
+    /// In the picture, under the items.
     Under,
-    /// In the picture, over it.
+    /// In the picture, over the items.
     Over,
     /// On the frame, beside the communication page.
     Frame,
@@ -65,7 +65,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
     /// The editor with its frame and buttons.
     fn draw_desk(&self, page: &mut Page<'_>) {
         match self.stage {
-            // As the original comes back: the ground is not black yet.
+            // As when the original returns: the background is not black yet.
             Stage::Returning => page.screen.clear(Color::LightCyan),
             _ => {
                 ground(page.screen);

@@ -1,11 +1,11 @@
-//! The page that asks for a place in space, or for a vector.
+//! The page that asks for a point or vector in space.
 
 use crate::geometry::Point;
 use crate::machine::Asked;
 use crate::screen::Color;
 use crate::ui::{Area, Caption, Desk, Field, Form, Number, Picture, Words};
 
-/// What four characters can say, as in the original.
+/// The range that four characters can express, as in the original.
 pub(super) const COORDINATES: std::ops::RangeInclusive<i32> = -999..=9999;
 
 /// Asks for three whole coordinates under a title.

@@ -1,4 +1,4 @@
-//! Why there is no curve or surface, in words.
+//! Messages about curves and surfaces that do not exist.
 
 use crate::design::DesignError;
 use crate::ui::words::{self, Phrase};

@@ -1,5 +1,5 @@
-//! What there is to be seen, before any pixel: made once from a design, painted on the screen and plotted into
-//! a figure by one walk each.
+//! Visible items, independent of pixels. They are made once from a design; one walk paints them on the screen,
+//! another plots them into a figure.
 
 use super::field::numbered_disc;
 use super::lens::Lens;
@@ -7,17 +7,17 @@ use crate::figure::{CURVE_INK, Figure, print_ink, tolerance};
 use crate::geometry::{BoundingBox, Closure, ParamCurve, Point};
 use crate::screen::{Color, Screen, Stroke};
 
-/// Something to be seen.
+/// A visible item.
 pub(super) enum Item<const D: usize> {
-    /// A curve with the steps that a span is drawn in, its colour, and the name it has in a figure.
+    /// A curve with its segments per span, its colour, and its name in a figure.
     Curve { curve: Box<dyn ParamCurve<D>>, steps: usize, color: Color, name: Option<Label> },
     /// Where spans join.
     Joint(Point<D>),
-    /// A tangent from its tip to its mirror image.
+    /// A tangent, drawn from its tip to the tip's mirror image.
     Tangent { tip: Point<D>, point: Point<D> },
     /// A control point with its number, counted from 1.
     Disc { at: Point<D>, number: usize, fill: Color },
-    /// A control point that waits to be taken: it belongs to no figure.
+    /// A control point in the store, which is not part of a figure.
     Stored { at: Point<D>, number: usize, fill: Color },
     /// A control point of a result.
     Dot(Point<D>),
@@ -25,21 +25,21 @@ pub(super) enum Item<const D: usize> {
     Knot { at: Point<D>, fill: Color },
     /// A line of a net; white ones are borders of the surface.
     Line { ends: [Point<D>; 2], ink: Color },
-    /// Something that only one editor shows.
+    /// An item of one editor only.
     Own(Box<dyn Own<D>>),
 }
 
-/// A curve's name, and at which part of the curve it stands.
+/// The name of a curve, and where along the curve it is written.
 pub(super) struct Label {
     pub(super) name: &'static str,
-    /// Numerator and denominator of the part.
+    /// The fraction of the curve: numerator and denominator.
     pub(super) part: [usize; 2],
 }
 
-/// What only one editor shows.
+/// An item of one editor only.
 pub(super) trait Own<const D: usize> {
     fn paint(&self, screen: &mut Screen);
-    /// `false` if it cannot be told by lines.
+    /// Returns `false` if lines cannot show it.
     fn plot(&self, figure: &mut Figure) -> bool;
     fn bounds(&self) -> Option<BoundingBox<D>>;
 }
@@ -53,9 +53,9 @@ impl<const D: usize> Item<D> {
     pub(super) fn paint(&self, screen: &mut Screen, lens: &impl Lens<D>) {
         match self {
             Item::Curve { curve, steps, color, .. } => {
-                // Too many steps for any screen: there is nothing to paint.
+                // More segments than any screen can show: nothing is painted.
                 let Ok(line) = curve.polyline(*steps) else { return };
-                // Fine steps fall on the same pixel many times; once is enough.
+                // Short segments often end on the same pixel, which is painted once.
                 let mut pixels: Vec<(i32, i32)> = line.into_iter().map(|point| lens.pixel(point)).collect();
                 pixels.dedup();
                 screen.polyline(&pixels, Stroke::thick(*color));
@@ -90,7 +90,7 @@ impl<const D: usize> Item<D> {
         }
     }
 
-    /// Plots it into a figure; `false` if that cannot show it.
+    /// Plots it into a figure; returns `false` if a figure cannot show it.
     fn plot(&self, figure: &mut Figure, lens: &impl Lens<D>) -> bool {
         match self {
             Item::Curve { curve, color, name, .. } => {
@@ -132,7 +132,7 @@ impl<const D: usize> Item<D> {
     }
 }
 
-/// The items as a figure; `None` for nothing, and where one of them cannot be told by lines.
+/// The items as a figure; `None` without items, or if lines cannot show one of them.
 pub(super) fn figure<const D: usize>(items: &[Item<D>], lens: &impl Lens<D>) -> Option<Figure> {
     let mut figure = Figure::new();
     if !items.iter().all(|item| item.plot(&mut figure, lens)) || figure.is_empty() {

@@ -1,9 +1,9 @@
-//! Where an editor is between the first question and the result.
+//! The stages of an editor, from the first question to the result.
 
-/// What the screen shows besides what is edited.
+/// What the screen shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// Before there is a configuration; before the first one there are no buttons either.
+    /// Before there is a configuration. Before the first one, there are no buttons either.
     Starting { buttons: bool },
     /// Editing.
     Working,
@@ -11,7 +11,7 @@ pub(super) enum Stage {
     Choosing,
     /// Editing, while automatic tangents are offered after an action.
     Offering,
-    /// The result without its surroundings, with or without the control points.
+    /// The result without frame and buttons, with or without the control points.
     Result { points: bool },
     /// On the way back from the result of a surface.
     Returning,
@@ -21,7 +21,7 @@ impl Stage {
     /// The stage of a program that has just been started.
     pub(super) const FIRST: Stage = Stage::Starting { buttons: false };
 
-    /// The stage before a new configuration: once the buttons are on the screen, they stay.
+    /// The stage before a new configuration; buttons that are shown stay.
     pub(super) fn restarted(self) -> Stage {
         Stage::Starting { buttons: self != Stage::FIRST }
     }
@@ -37,14 +37,14 @@ impl Stage {
     }
 }
 
-/// Whether the curve or surface is in the picture, and when it goes out of it.
+/// Whether the curve or surface is in the picture, and when it disappears.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Shown {
-    /// Whether there is one to show as a result: not any more after a change by number, as in the original.
+    /// Whether there is one to show as a result. As in the original, a change by number ends that.
     pub(super) known: bool,
     /// Whether it is in the picture.
     pub(super) visible: bool,
-    /// Whether it stays in the picture after a change and follows it.
+    /// Whether it stays in the picture and follows changes.
     pub(super) follow: bool,
 }
 
@@ -54,12 +54,12 @@ impl Shown {
         (self.known, self.visible) = (known, known);
     }
 
-    /// After a change it leaves the picture, unless it follows.
+    /// Called after a change: it leaves the picture, unless it follows.
     pub(super) fn after_change(&mut self) {
         self.visible &= self.follow;
     }
 
-    /// After a change by number there is none, unless it follows.
+    /// Called after a change by number: there is no result any more, unless it follows.
     pub(super) fn after_edit(&mut self) {
         if !self.follow {
             self.take(false);

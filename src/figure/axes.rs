@@ -1,8 +1,7 @@
-//! Axes with ticks at round numbers: a step is 1, 2 or 5 times a power of ten, and the same for all axes, as
-//! their scale is.
+//! Axes with ticks at round numbers. The step is 1, 2 or 5 times a power of ten; all axes share step and scale.
 //!
-//! Axes of the plane stand along the lower and the left edge of what they measure, which grows to whole steps;
-//! those of space begin at the origin and are drawn as a view shows them.
+//! Axes of the plane run along the lower and the left edge of the range, which is extended to whole steps. Axes of
+//! space begin at the origin and are projected by a view.
 
 use super::letters::{Letters, length};
 use crate::geometry::{BoundingBox, Point, View};
@@ -10,33 +9,33 @@ use crate::geometry::{BoundingBox, Point, View};
 /// The axes of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Axes {
-    /// x along the lower and y along the left edge.
+    /// x along the lower edge, y along the left edge.
     Plane,
-    /// x, y and z of a space whose picture a view made.
+    /// x, y and z of space, projected by a view.
     Space {
-        /// The view that made the picture.
+        /// The view of the picture.
         view: View,
-        /// What the axes measure, in space.
+        /// The range of the axes, in space.
         bounds: BoundingBox<3>,
     },
 }
 
-/// Size of the numbers at axes.
+/// Font size of the numbers.
 const AXIS_SIZE: f64 = 13.0;
-/// Steps along the longer side.
+/// Number of steps along the longer side.
 const STEPS: f64 = 8.0;
 /// Length of a tick.
 const TICK: f64 = 6.0;
-/// Room between a tick and its number, and between an axis and what it measures.
+/// Gap between a tick and its number, and between an axis and the picture.
 const GAP: f64 = 4.0;
-/// The least room between two numbers.
+/// The smallest gap between two numbers.
 const APART: f64 = 10.0;
-/// The shortest picture of a step whose ticks are drawn.
+/// Ticks are drawn if a step is at least this long.
 const SHORTEST_STEP: f64 = 6.0;
-/// Numbers of more steps than this have too many digits to be told apart.
+/// Numbers of more steps than this have too many digits to be legible.
 const MOST_STEPS: f64 = 1e7;
 
-/// A step between two ticks: a digit, 1, 2 or 5, times a power of ten.
+/// The step between two ticks: 1, 2 or 5 times a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Step {
     digit: i64,
@@ -44,7 +43,7 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// The smallest step of at least a size, which is positive.
+    /// The smallest step not below a positive size.
     fn at_least(size: f64) -> Step {
         let exponent = size.log10().floor() as i32;
         let steps = [1, 2, 5].map(|digit| Step { digit, exponent });
@@ -60,14 +59,14 @@ impl Step {
         }
     }
 
-    /// The number at a tick. Fractions are divided, so that it is the double nearest to what is written.
+    /// The number at a tick. It is computed by one division, so that it is the double nearest to its decimal form.
     fn value(self, tick: i64) -> f64 {
         let count = tick.saturating_mul(self.digit) as f64;
         let power = 10_f64.powi(self.exponent.saturating_abs());
         if self.exponent < 0 { count / power } else { count * power }
     }
 
-    /// The number at a tick as a book prints it.
+    /// The number at a tick as text.
     fn text(self, tick: i64) -> String {
         let count = tick.saturating_mul(self.digit);
         let sign = if count < 0 { "\u{2212}" } else { "" };
@@ -86,21 +85,21 @@ impl Step {
         }
     }
 
-    /// The first and the last tick of the whole steps around a range; rounding does not count.
+    /// The first and the last tick of the whole steps around a range, ignoring rounding errors.
     fn around(self, [low, high]: [f64; 2]) -> [i64; 2] {
         let step = self.value(1);
         [(low / step + 1e-9).floor() as i64, (high / step - 1e-9).ceil() as i64]
     }
 }
 
-/// A whole number in small raised digits.
+/// An integer in superscript digits.
 fn raised(number: i32) -> String {
     let digit = |ch: char| match ch {
         '-' => '⁻',
         '1' => '¹',
         '2' => '²',
         '3' => '³',
-        // The others stand in a row.
+        // The other superscript digits have consecutive code points.
         ch => ch.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(ch),
     };
     number.to_string().chars().map(digit).collect()
@@ -113,23 +112,23 @@ pub(super) struct Rules {
     pub(super) letters: Vec<Letters>,
 }
 
-/// The axes of the plane round a window.
+/// The axes of the plane around a window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlaneAxes {
     step: Step,
     /// First and last tick of x and of y.
     ticks: [[i64; 2]; 2],
-    /// How far items reach beyond their points.
+    /// How far items extend beyond their points.
     overhang: f64,
 }
 
 impl PlaneAxes {
-    /// The axes of a window that gets so many pixels; `None` where a step has too many digits.
+    /// The axes of a window of the given size in pixels; `None` if the numbers have too many digits.
     pub(super) fn new(window: BoundingBox<2>, room: f64, overhang: f64) -> Option<PlaneAxes> {
         let [across, up] = window.size();
         let mut step = Step::at_least(across.max(up) / STEPS);
         let mut axes = PlaneAxes { step, ticks: ticks(step, window)?, overhang };
-        // A larger step needs fewer digits, or as many for more room: three are enough for any digits.
+        // A larger step needs no more digits and has more room, so a few attempts are enough.
         for _ in 0..6 {
             let box_ = axes.window().size();
             let scale = room / box_[0].max(box_[1]);
@@ -142,7 +141,7 @@ impl PlaneAxes {
         Some(axes)
     }
 
-    /// The window grown to whole steps.
+    /// The window extended to whole steps.
     pub(super) fn window(&self) -> BoundingBox<2> {
         let value = |d: usize, end: usize| self.step.value(self.ticks[d][end]);
         BoundingBox { min: [value(0, 0), value(1, 0)], max: [value(0, 1), value(1, 1)] }
@@ -154,18 +153,18 @@ impl PlaneAxes {
         (first..=last).map(|tick| length(&self.step.text(tick), AXIS_SIZE)).fold(0.0, f64::max)
     }
 
-    /// From the window to its axes.
+    /// The distance from the window to its axes.
     fn offset(&self) -> f64 {
         self.overhang + GAP
     }
 
-    /// How much room the axes need left of the window and below it.
+    /// The margins that the axes need, left of the window and below it.
     pub(super) fn bands(&self) -> [f64; 2] {
         let out = self.offset() + TICK + GAP;
         [out + self.widest(1), out + AXIS_SIZE]
     }
 
-    /// The axes' lines and numbers; `place` gives the pixel of a point of the window.
+    /// Lines and numbers of the axes; `place` maps a point of the window to its pixel.
     pub(super) fn rules(&self, place: impl Fn(Point<2>) -> Point<2>) -> Rules {
         let window = self.window();
         let ([left, bottom], [right, top]) = (place(window.min), place(window.max));
@@ -193,13 +192,13 @@ impl PlaneAxes {
     }
 }
 
-/// The name of an axis with its middle at a place.
+/// The name of an axis, centred at a place.
 fn letter(name: &str, [x, y]: Point<2>) -> Letters {
     let size = AXIS_SIZE + 2.0;
     Letters { text: name.to_string(), at: [x - length(name, size) / 2.0, y + 0.36 * size], size }
 }
 
-/// The ticks of a window by a step, unless their numbers have too many digits.
+/// The ticks of a window with a step; `None` if their numbers have too many digits.
 fn ticks(step: Step, window: BoundingBox<2>) -> Option<[[i64; 2]; 2]> {
     let largest = window.min.iter().chain(&window.max).fold(0.0_f64, |m, x| m.max(x.abs()));
     let few = largest / step.value(1) <= MOST_STEPS;
@@ -210,7 +209,7 @@ fn at_least_one([first, last]: [i64; 2]) -> [i64; 2] {
     [first, last.max(first.saturating_add(1))]
 }
 
-/// The axes of space as a view shows them.
+/// The axes of space, projected by a view.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpaceAxes {
     view: View,
@@ -219,7 +218,7 @@ pub(super) struct SpaceAxes {
 }
 
 impl SpaceAxes {
-    /// The axes from the origin along what they measure; `None` where a step has too many digits.
+    /// The axes from the origin along their range; `None` if the numbers have too many digits.
     pub(super) fn new(view: View, bounds: BoundingBox<3>) -> Option<SpaceAxes> {
         let bounds = bounds.union(BoundingBox::of_point([0.0; 3]));
         let extent = bounds.size().into_iter().fold(0.0, f64::max);
@@ -240,13 +239,13 @@ impl SpaceAxes {
         self.view.place(point)
     }
 
-    /// What the axes cover in the plane of the view.
+    /// The bounding box of the axes in the plane of the view.
     pub(super) fn window(&self) -> BoundingBox<2> {
         let ends = (0..3).zip(self.ticks).flat_map(|(axis, ends)| ends.map(|tick| self.point(axis, tick)));
         ends.map(BoundingBox::of_point).fold(BoundingBox::of_point([0.0; 2]), BoundingBox::union)
     }
 
-    /// The axes' lines and numbers; `place` gives the pixel of a point in the plane of the view.
+    /// Lines and numbers of the axes; `place` maps a point in the plane of the view to its pixel.
     pub(super) fn rules(&self, place: impl Fn(Point<2>) -> Point<2>) -> Rules {
         let mut rules = Rules::default();
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
@@ -256,7 +255,7 @@ impl SpaceAxes {
             let step = [next[0] - to[0], next[1] - to[1]];
             let size = step[0].hypot(step[1]);
             if size < 1e-6 {
-                // Seen from its end an axis is a point.
+                // An axis parallel to the direction of view is a point.
                 continue;
             }
             let along = step.map(|x| x / size);
@@ -269,7 +268,7 @@ impl SpaceAxes {
         rules
     }
 
-    /// The ticks of an axis across it, with numbers where there is room for them.
+    /// The ticks perpendicular to an axis, with numbers where they fit.
     fn add_ticks(
         &self,
         rules: &mut Rules,
@@ -277,7 +276,7 @@ impl SpaceAxes {
         (along, size): (Point<2>, f64),
         at: impl Fn(i64) -> Point<2>,
     ) {
-        // Below the axis, or left of an upright one.
+        // Below the axis, or left of a steep one.
         let across = if along[0].abs() > 1e-9 { [-along[1], along[0]] } else { [-1.0, 0.0] };
         let across = if across[1] < 0.0 { across.map(|x| -x) } else { across };
         let [first, last] = self.ticks[axis];

@@ -1,9 +1,9 @@
-//! What can be wrong with a picture, in sentences.
+//! The errors of writing pictures and models.
 
 use crate::geometry::COORDINATE_LIMIT;
 use std::fmt;
 
-/// Why a picture cannot be written. Items of a kind are counted from 1 in the order of adding.
+/// Why a picture or model cannot be written. Items of a kind are counted from 1 in the order of adding.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureError {
     /// A coordinate is NaN, infinite or beyond [`COORDINATE_LIMIT`].
@@ -13,34 +13,34 @@ pub enum FigureError {
         /// The coordinate.
         value: f64,
     },
-    /// A width, radius or dash is out of its range.
+    /// A width, radius or dash is out of range.
     Style {
         /// The item, as in "polyline 2".
         item: String,
-        /// Which size it is.
+        /// Which size it is: width, radius or dash.
         name: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
-        /// What would be right, as the end of a sentence.
+        /// The allowed range, as the end of a sentence.
         wanted: &'static str,
     },
-    /// A width of the picture out of range.
+    /// The width of the picture is out of range.
     Width {
-        /// Pixels asked for.
+        /// The width asked for, in pixels.
         given: u32,
-        /// Pixels at least.
+        /// The smallest width in pixels.
         least: u32,
-        /// Pixels at most.
+        /// The largest width in pixels.
         most: u32,
     },
-    /// A caption that is too long.
+    /// The caption is too long.
     Caption {
-        /// Letters of it.
+        /// Its length in characters.
         given: usize,
-        /// Letters at most.
+        /// The greatest length in characters.
         most: usize,
     },
-    /// All points of a mesh are the same or on a line of the grid, so that no triangle is left.
+    /// All triangles of a mesh are degenerate.
     NoTriangles,
     /// A coordinate does not fit into the single precision of STL.
     Single {
@@ -49,16 +49,16 @@ pub enum FigureError {
     },
     /// More vertices or triangles than the format can count.
     TooManyVertices,
-    /// A surface whose degree is higher than CAD programs read.
+    /// The degree of a surface is higher than CAD programs read.
     Degree {
         /// The degree.
         given: usize,
         /// The highest that is written.
         most: usize,
     },
-    /// A surface that is no B-spline surface, so that it has no exact form in a file.
+    /// The surface is not a B-spline surface, so it has no exact form in a file.
     NoExactForm,
-    /// The font or the PNG encoder refused; its own words.
+    /// The font or the PNG encoder failed, with its message.
     Encoding(String),
 }
 

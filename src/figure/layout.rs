@@ -1,4 +1,4 @@
-//! Where things stand in a picture: the map from the world to pixels, and the places of letters.
+//! The layout of a picture: the map from world coordinates to pixels, and the places of text.
 //!
 //! All sizes here are nominal pixels, y downwards.
 
@@ -11,26 +11,26 @@ use std::collections::HashMap;
 
 const TEXT_SIZE: f64 = 15.0;
 const TITLE_SIZE: f64 = 22.0;
-/// Height of a line of the caption, and the free room below the last one.
+/// Height of a line of the caption, and the margin below the last one.
 const CAPTION_LINE: f64 = 20.0;
 const CAPTION_END: f64 = 12.0;
 /// Height of the band above the picture that holds the title.
 const TITLE_BAND: f64 = 44.0;
-/// Free room around everything.
+/// Margin around everything.
 const MARGIN: f64 = 32.0;
 /// The least height of a picture without its title.
 const LEAST_HEIGHT: f64 = 160.0;
-/// Room between the numbers of axes and the edge of the picture, or the caption.
+/// Gap between the numbers of axes and the edge of the picture or the caption.
 const BAND_GAP: f64 = 12.0;
-/// Room between a disc and its label.
+/// Gap between a disc and its label.
 const GAP: f64 = 3.0;
 /// Labels times obstacles that are looked at; beyond it, labels stand at the upper right of their discs or
 /// nowhere.
 const MOST_LOOKS: usize = 4_000_000;
-/// Straight pieces that stand for an arc when labels look for a free place.
+/// Number of chords that approximate an arc when labels are placed.
 const PIECES: u32 = 8;
 
-/// How the lines of axes are drawn.
+/// The style of the lines of axes.
 pub(super) const RULE: Style = Style { stroke: Some([0; 3]), width: 1.0, fill: None, dash: None };
 
 /// The measures of a picture.
@@ -38,9 +38,9 @@ pub(super) const RULE: Style = Style { stroke: Some([0; 3]), width: 1.0, fill: N
 pub(super) struct Layout {
     /// Height of the picture, a whole number.
     pub(super) height: f64,
-    /// Pixels by world unit.
+    /// Pixels per world unit.
     pub(super) scale: f64,
-    /// Where the world's origin lies.
+    /// The pixel of the world's origin.
     pub(super) origin: Point<2>,
     /// The title, all labels and texts, the numbers of the axes and the caption.
     pub(super) letters: Vec<Letters>,
@@ -59,7 +59,7 @@ impl Layout {
         let window = measured.window();
         let room = width - left - 2.0 * margin;
         let [across, up] = window.size();
-        // One of both extents is positive.
+        // At least one extent is positive.
         let scale = room / across.max(up);
         let top = if figure.title.is_some() { TITLE_BAND } else { 0.0 };
         let caption = caption_lines(figure);
@@ -124,7 +124,7 @@ impl Layout {
         letters
     }
 
-    /// Straight pieces of all lines.
+    /// All lines as straight segments.
     fn legs(&self, figure: &Figure) -> Vec<[Point<2>; 2]> {
         let mut legs = Vec::new();
         for item in &figure.items {
@@ -145,7 +145,7 @@ impl Layout {
         (0..PIECES).map(move |j| [point(j), point(j + 1)])
     }
 
-    /// The squares in all discs: labels may come near their round edges.
+    /// The inscribed squares of all discs: labels may come near their round edges.
     fn areas(&self, figure: &Figure) -> Vec<Area> {
         let square = |item: &Item| match item {
             Item::Disc { at, .. } => {
@@ -158,7 +158,7 @@ impl Layout {
     }
 }
 
-/// What a picture shows of the world, with the axes that measure it.
+/// The visible part of the world with its axes.
 enum Measured {
     Plain(BoundingBox<2>),
     Plane(PlaneAxes),
@@ -166,7 +166,7 @@ enum Measured {
 }
 
 impl Measured {
-    /// What a figure shows in so many pixels. Axes whose numbers could not be told apart are left out.
+    /// The visible part of a figure of the given size in pixels. Axes whose numbers have too many digits are left out.
     fn new(figure: &Figure, room: f64, overhang: f64) -> Measured {
         let window = window(figure);
         let axes = match figure.axes {
@@ -186,7 +186,7 @@ impl Measured {
         }
     }
 
-    /// How much room the axes need left of the window and below it.
+    /// The margins that the axes need, left of the window and below it.
     fn bands(&self) -> [f64; 2] {
         match self {
             Measured::Plain(_) | Measured::Space(..) => [0.0; 2],
@@ -203,7 +203,7 @@ impl Measured {
     }
 }
 
-/// How far an item reaches beyond its points.
+/// How far an item extends beyond its points.
 fn overhang(item: &Item) -> f64 {
     match item {
         Item::Curve { style, .. } | Item::Polyline { style, .. } => style.width / 2.0,
@@ -212,7 +212,7 @@ fn overhang(item: &Item) -> f64 {
     }
 }
 
-/// The box of everything, padded so that one of its extents is positive and can be divided by.
+/// The bounding box of everything, padded so that at least one extent is positive and can be divided by.
 fn window(figure: &Figure) -> BoundingBox<2> {
     let of_item = |item: &Item| match item {
         Item::Curve { arcs, .. } => arcs.iter().map(CubicBezier::bounding_box).reduce(BoundingBox::union),
@@ -223,7 +223,7 @@ fn window(figure: &Figure) -> BoundingBox<2> {
     let window = all.unwrap_or(BoundingBox { min: [0.0; 2], max: [1.0; 2] });
     let largest = window.min.iter().chain(&window.max).fold(0.0_f64, |m, x| m.max(x.abs()));
     let extent = window.size().iter().fold(0.0_f64, |m, x| m.max(*x));
-    // Smaller extents hold rounding only; the smallest numbers have no finite reciprocal.
+    // Smaller extents are rounding errors only, and the reciprocals of tiny numbers overflow.
     if extent > (1e-14 * largest).max(1e-150) {
         return window;
     }
@@ -231,7 +231,7 @@ fn window(figure: &Figure) -> BoundingBox<2> {
     BoundingBox { min: window.min.map(|x| x - pad), max: window.max.map(|x| x + pad) }
 }
 
-/// The title in the middle of its band, smaller if it is long.
+/// The title, centred in its band; in a smaller font if it is long.
 fn heading(title: &str) -> Letters {
     let (text, width) = (printable(title), f64::from(NOMINAL_WIDTH));
     let size = TITLE_SIZE * (0.95 * width / length(&text, TITLE_SIZE).max(1.0)).min(1.0);
@@ -249,7 +249,7 @@ fn caption_lines(figure: &Figure) -> Vec<String> {
     wrap(text, fitting as usize).iter().map(|line| printable(line)).collect()
 }
 
-/// Lines in the middle of the picture, from a height on.
+/// Centred lines, from a given height on.
 fn below(top: f64, lines: &[String]) -> impl Iterator<Item = Letters> {
     (0..).zip(lines).map(move |(row, text)| {
         let left = (f64::from(NOMINAL_WIDTH) - length(text, TEXT_SIZE)) / 2.0;
@@ -258,7 +258,7 @@ fn below(top: f64, lines: &[String]) -> impl Iterator<Item = Letters> {
     })
 }
 
-/// A text without what neither XML nor a font can show.
+/// A text without characters that XML or fonts cannot show.
 pub(super) fn printable(text: &str) -> String {
     let shown =
         |ch: char| if ch.is_control() || matches!(ch, '\u{FFFE}' | '\u{FFFF}') { '\u{FFFD}' } else { ch };
@@ -267,7 +267,7 @@ pub(super) fn printable(text: &str) -> String {
 
 const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// The ways in which a label may lie from its disc, the best first.
+/// The directions in which a label may lie from its disc, best first.
 const DIRECTIONS: [[f64; 2]; 8] = [
     [DIAGONAL, -DIAGONAL],
     [-DIAGONAL, -DIAGONAL],
@@ -279,7 +279,7 @@ const DIRECTIONS: [[f64; 2]; 8] = [
     [0.0, 1.0],
 ];
 
-/// The area of a given size that lies a distance away from a place.
+/// The area of a given size at a distance from a place.
 fn beside([x, y]: Point<2>, distance: f64, [width, height]: [f64; 2], [right, down]: [f64; 2]) -> Area {
     let corner = |along: f64, size: f64| match along {
         along if along > 0.0 => along * distance,
@@ -341,18 +341,17 @@ struct Taken {
 }
 
 impl Taken {
-    /// The area that covers least, the first of equal ones.
+    /// The area that covers least; the first one of equals.
     fn freest(&self, areas: &[Area]) -> Area {
         let free = match areas {
-            // Nothing to choose, nothing to count.
+            // There is nothing to choose from.
             [only] => Some(only),
             areas => areas.iter().min_by_key(|area| self.cost(**area)),
         };
         free.copied().unwrap_or_default()
     }
 
-    /// How bad it is to cover an area: letters and discs count more than lines, and what leaves the
-    /// picture most.
+    /// The penalty for covering an area: text and discs count more than lines, and leaving the picture counts most.
     fn cost(&self, area: Area) -> usize {
         let lines = self.legs.iter().filter(|leg| crosses(**leg, area)).count();
         let others = self.areas.iter().filter(|other| overlap(**other, area)).count();
@@ -366,12 +365,12 @@ fn overlap(a: Area, b: Area) -> bool {
     a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
 }
 
-/// Whether a straight line runs through an area.
+/// Whether a segment crosses an area.
 fn crosses([a, b]: [Point<2>; 2], area: Area) -> bool {
     let around = [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])];
-    // Open comparison would lose horizontal and vertical lines.
+    // Strict comparison would miss horizontal and vertical lines.
     let apart = around[0] > area[2] || around[2] < area[0] || around[1] > area[3] || around[3] < area[1];
-    // All corners on one side of the line?
+    // Are all corners on one side of the line?
     let side = |x: f64, y: f64| (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
     let [left, top, right, bottom] = area;
     let sides = [side(left, top), side(right, top), side(left, bottom), side(right, bottom)];

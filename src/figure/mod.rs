@@ -2,8 +2,8 @@
 //! their control points as SVG, PNG or PDF, samples of them as CSV or JSON, surfaces as meshes (OBJ, STL, PLY) and
 //! exactly (STEP).
 //!
-//! A [`Figure`] is a picture in world coordinates, built once and written in any of the formats. Everything
-//! here is values in, bytes or text out: no files, no screen modes, no choice of what to draw.
+//! A [`Figure`] is a picture in world coordinates, built once and written in any of the formats. This room turns
+//! values into bytes or text. It writes no files and does not decide what to draw.
 //!
 //! A closed spline with its control points:
 //!

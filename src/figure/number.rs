@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// A double in the fewest digits that read back as the same double (bit for bit, minus zero
-/// included), with an exponent where zeros would fill the line.
+/// A double in the fewest digits that read back as the same bits, with an exponent for very large and very small
+/// numbers. Keeps the sign of zero.
 pub(super) struct Number(pub(super) f64);
 
 impl fmt::Display for Number {

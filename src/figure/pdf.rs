@@ -1,5 +1,5 @@
-//! A picture as a PDF of one page. Curves are cubic curves, letters are outlines of the font, so that the page
-//! looks the same everywhere and needs no font; numbers are kept to single precision, as PDF has it.
+//! A picture as a PDF of one page. Curves are cubic Bézier curves. Text is drawn as outlines, so that the page looks
+//! the same everywhere and needs no font. Numbers have single precision, as usual in PDF.
 
 use super::FigureError;
 use super::layout::{Layout, RULE};
@@ -11,13 +11,13 @@ use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Filter, Finish, Pdf, Rect, Ref, TextStr};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// Points of a page for a pixel: 96 pixels are an inch, as in SVG.
+/// Points per pixel: 96 pixels are an inch, as in SVG.
 const POINTS: f64 = 0.75;
 /// Effort of the compression, 0 to 10.
 const LEVEL: u8 = 6;
-/// The distance of a quarter circle's inner control points from its ends, by the radius.
+/// The distance of a quarter circle's inner control points from its ends, relative to the radius.
 const KAPPA: f64 = 0.552_284_749_830_793_4;
-/// Width of the white seam around letters in nominal pixels, on both sides of the outline together.
+/// Stroke width of the white halo around letters in nominal pixels; half of it lies outside the outline.
 const SEAM: f32 = 3.0;
 
 impl Figure {
@@ -31,13 +31,13 @@ impl Figure {
     }
 
     /// The picture as a PDF whose page has another width: [`SMALLEST_WIDTH`] to [`LARGEST_WIDTH`] pixels of 0.75
-    /// points, everything else being enlarged or reduced with it.
+    /// points. Everything is scaled with it.
     ///
     /// [`SMALLEST_WIDTH`]: super::SMALLEST_WIDTH
     /// [`LARGEST_WIDTH`]: super::LARGEST_WIDTH
     ///
     /// # Errors
-    /// As [`Figure::to_pdf`], and for such a width.
+    /// Those of [`Figure::to_pdf`], and a width out of range.
     pub fn to_pdf_of_width(&self, width: u32) -> Result<Vec<u8>, FigureError> {
         check_width(width)?;
         self.check()?;
@@ -52,7 +52,7 @@ impl Figure {
     }
 }
 
-/// A page that is being drawn, in pixels from its upper left corner.
+/// A page being drawn, in pixels from its upper left corner.
 pub(super) struct Page {
     pub(super) content: Content,
     /// Width and height in points.
@@ -122,7 +122,7 @@ impl Page {
         self.content.cubic_to(ax, ay, bx, by, cx, cy);
     }
 
-    /// Puts a curve into the path; whether there is anything of it.
+    /// Adds a curve to the path; returns whether it has any points.
     fn curve(&mut self, arcs: &[CubicBezier<2>], closure: Closure, layout: &Layout) -> bool {
         for (begin, arc) in begins(arcs) {
             let [a, b, c, d] = arc.p.map(|point| layout.place(point));
@@ -168,7 +168,7 @@ impl Page {
 
     /// Fills and strokes the path.
     fn paint(&mut self, style: &Style) {
-        // A width of nothing would be a hair line.
+        // In PDF, a line of width 0 is the thinnest line of the device.
         let stroke = style.stroke.filter(|_| style.width > 0.0);
         if let Some([red, green, blue]) = style.fill.map(shares) {
             self.content.set_fill_rgb(red, green, blue);
@@ -186,7 +186,7 @@ impl Page {
         };
     }
 
-    /// Black letters with a white seam, so that lines do not run through them.
+    /// Black letters with a white halo, so that lines do not run through them.
     fn letters(&mut self, letters: &[Letters]) -> Result<(), FigureError> {
         if letters.is_empty() {
             return Ok(());
@@ -195,7 +195,7 @@ impl Page {
         self.content.set_fill_gray(0.0).set_stroke_gray(1.0).set_line_width(SEAM);
         self.content.set_dash_pattern([], 0.0);
         for line in letters {
-            // The seam of a letter must not cover the one before it.
+            // All halos come first: none may cover the letter before it.
             self.outlines(line, &face);
             self.content.stroke();
             self.outlines(line, &face);
@@ -210,13 +210,13 @@ impl Page {
         for (index, ch) in line.text.chars().enumerate() {
             let glyph = face.glyph_index(ch).unwrap_or(GlyphId(0));
             let origin = [line.at[0] + index as f64 * advance, line.at[1]];
-            // A letter without outline, a blank, draws nothing.
+            // A blank has no outline.
             face.outline_glyph(glyph, &mut Pen { page: self, origin, scale, at: origin });
         }
     }
 }
 
-/// A colour in shares from 0 to 1.
+/// A colour in components from 0 to 1.
 pub(super) fn shares(color: [u8; 3]) -> [f32; 3] {
     color.map(|channel| f32::from(channel) / 255.0)
 }
@@ -224,7 +224,7 @@ pub(super) fn shares(color: [u8; 3]) -> [f32; 3] {
 /// Draws the outline of a letter.
 struct Pen<'p> {
     page: &'p mut Page,
-    /// Where the letter's base line begins.
+    /// Start of the letter's baseline.
     origin: Point<2>,
     scale: f64,
     at: Point<2>,
@@ -233,7 +233,7 @@ struct Pen<'p> {
 impl Pen<'_> {
     fn place(&self, x: f32, y: f32) -> Point<2> {
         let place = [self.origin[0] + self.scale * f64::from(x), self.origin[1] - self.scale * f64::from(y)];
-        // A thousandth of a pixel is enough for letters, and half as long as all digits.
+        // A thousandth of a pixel is precise enough for letters, and halves the file.
         place.map(|value| (1000.0 * value).round() / 1000.0)
     }
 }
@@ -251,7 +251,7 @@ impl OutlineBuilder for Pen<'_> {
 
     fn quad_to(&mut self, bx: f32, by: f32, x: f32, y: f32) {
         let (from, middle, to) = (self.at, self.place(bx, by), self.place(x, y));
-        // A parabola as a cubic: two thirds of the way to its control point.
+        // Raises the degree: the inner points lie two thirds of the way to the quadratic's control point.
         let inner = |end: Point<2>| std::array::from_fn(|d| end[d] + 2.0 / 3.0 * (middle[d] - end[d]));
         self.page.cubic_to([inner(from), inner(to), to]);
         self.at = to;

@@ -1,40 +1,40 @@
-//! What a picture consists of: items in world coordinates with their styles.
+//! Figures: items in world coordinates with their styles.
 
 use super::{Axes, FigureError};
 use crate::geometry::{COORDINATE_LIMIT, Closure, CubicBezier, Point};
 
-/// Width of a picture in nominal pixels, the unit of line widths, radii and dashes. A picture that is
-/// written with another width is the same picture enlarged or reduced.
+/// Width of a picture in nominal pixels, the unit of line widths, radii and dashes. A picture written with another
+/// width is the same picture, scaled.
 pub const NOMINAL_WIDTH: u32 = 800;
 /// The smallest width of a picture in pixels.
 pub const SMALLEST_WIDTH: u32 = 16;
 /// The largest width of a picture in pixels.
 pub const LARGEST_WIDTH: u32 = 16384;
 
-/// The longest caption in letters.
+/// Greatest length of a caption in characters.
 pub const LONGEST_CAPTION: usize = 2000;
 
 /// The largest line width, radius and dash in nominal pixels.
 const LARGEST_SIZE: f64 = 100.0;
-/// The shortest period of dashes in nominal pixels; finer ones would be a million strokes.
+/// The shortest period of dashes in nominal pixels; shorter ones would make millions of strokes.
 const SHORTEST_PERIOD: f64 = 0.5;
 
-/// How an item is drawn; colours are red, green, blue.
+/// The style of an item; colours are red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// The colour of the line, `None` for no line.
     pub stroke: Option<[u8; 3]>,
     /// The width of the line in nominal pixels, 0 to 100.
     pub width: f64,
-    /// The colour of the inside, `None` for an empty one.
+    /// The fill colour, `None` for no fill.
     pub fill: Option<[u8; 3]>,
     /// The lengths of dashes and of the gaps between them in nominal pixels, `None` for a solid line.
-    /// Each is 0 to 100, both together 0.5 at least. Dashes have round ends.
+    /// Each is 0 to 100, their sum at least 0.5. Dashes have round caps.
     pub dash: Option<[f64; 2]>,
 }
 
 impl Style {
-    /// A solid line of a width in nominal pixels.
+    /// A solid line of the given width in nominal pixels.
     #[must_use]
     pub fn line(stroke: [u8; 3], width: f64) -> Style {
         Style { stroke: Some(stroke), width, fill: None, dash: None }
@@ -46,7 +46,7 @@ impl Style {
         Style { dash: Some([dash, gap]), ..self }
     }
 
-    /// An area with a thin edge.
+    /// A filled area with a thin edge.
     #[must_use]
     pub fn filled(fill: [u8; 3], edge: [u8; 3]) -> Style {
         Style { fill: Some(fill), ..Style::line(edge, 1.0) }
@@ -72,7 +72,7 @@ fn check_size(item: &str, name: &'static str, value: f64) -> Result<(), FigureEr
     Err(FigureError::Style { item: item.to_string(), name, value, wanted: "0 to 100 pixels" })
 }
 
-/// One thing in a picture.
+/// An item of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Item {
     Curve { arcs: Vec<CubicBezier<2>>, closure: Closure, style: Style },
@@ -82,7 +82,7 @@ pub(super) enum Item {
 }
 
 impl Item {
-    /// What users call this kind of item.
+    /// The name of this kind of item in messages.
     fn kind(&self) -> &'static str {
         match self {
             Self::Curve { .. } => "curve",
@@ -126,8 +126,8 @@ fn check_points(points: &[Point<2>], name: impl Fn(usize) -> String) -> Result<(
 
 /// A picture in world coordinates, x to the right and y upwards, with the same scale for both.
 ///
-/// Items are drawn in the order in which they are added, all letters above them. The picture shows
-/// everything that was added with a margin around; nothing at all gives an empty picture.
+/// Items are drawn in the order in which they are added, and all text above them. The picture shows all items with a
+/// margin around them. Without items it is empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     pub(super) title: Option<String>,
@@ -149,18 +149,17 @@ impl Figure {
         self.items.is_empty()
     }
 
-    /// Puts a title above the picture.
+    /// Sets the title above the picture.
     pub fn set_title(&mut self, title: impl Into<String>) {
         self.title = Some(title.into());
     }
 
-    /// Puts a caption below the picture, in as many lines as it needs; 2000 letters at most.
+    /// Sets the caption below the picture, of at most 2000 characters. It is wrapped.
     pub fn set_caption(&mut self, caption: impl Into<String>) {
         self.caption = Some(caption.into());
     }
 
-    /// Draws axes with ticks and numbers; where they would have more digits than can be told apart, they are
-    /// left out.
+    /// Sets axes with ticks and numbers. They are left out if their numbers would have too many digits.
     pub fn set_axes(&mut self, axes: Axes) {
         self.axes = Some(axes);
     }
@@ -171,18 +170,18 @@ impl Figure {
         self.axes
     }
 
-    /// Takes the axes away.
+    /// Removes the axes.
     pub fn clear_axes(&mut self) {
         self.axes = None;
     }
 
-    /// Adds a row of cubic arcs, each beginning where the one before ends; where it does not, the line
-    /// is interrupted.
+    /// Adds a chain of cubic arcs. Where an arc does not begin at the end of the previous one, the line is
+    /// interrupted.
     pub fn curve(&mut self, arcs: Vec<CubicBezier<2>>, closure: Closure, style: Style) {
         self.items.push(Item::Curve { arcs, closure, style });
     }
 
-    /// Adds straight lines from point to point, as a control polygon.
+    /// Adds straight lines from point to point, such as a control polygon.
     pub fn polyline(&mut self, points: Vec<Point<2>>, closure: Closure, style: Style) {
         self.items.push(Item::Polyline { points, closure, style });
     }
@@ -193,7 +192,7 @@ impl Figure {
         self.items.push(Item::Disc { at, radius, style, label });
     }
 
-    /// Adds a line of letters that begins at a point, or as far left of it as the picture needs.
+    /// Adds a line of text that begins at a point, or further left if it would leave the picture.
     pub fn text(&mut self, at: Point<2>, text: impl Into<String>) {
         self.items.push(Item::Text { at, text: text.into() });
     }
@@ -214,7 +213,7 @@ impl Figure {
     }
 }
 
-/// Whether a width in pixels is one of a picture.
+/// Checks the width of a picture in pixels.
 pub(super) fn check_width(width: u32) -> Result<(), FigureError> {
     if (SMALLEST_WIDTH..=LARGEST_WIDTH).contains(&width) {
         return Ok(());
@@ -222,8 +221,8 @@ pub(super) fn check_width(width: u32) -> Result<(), FigureError> {
     Err(FigureError::Width { given: width, least: SMALLEST_WIDTH, most: LARGEST_WIDTH })
 }
 
-/// Where a row of arcs has to be taken up anew, because an arc does not begin where the one before
-/// ends; differences by rounding do not count. The first arc always begins.
+/// For each arc, whether it starts a new subpath because it does not begin at the end of the previous one, up to
+/// rounding errors. The first arc always does.
 pub(super) fn begins(arcs: &[CubicBezier<2>]) -> impl Iterator<Item = (bool, &CubicBezier<2>)> {
     let largest = arcs.iter().flat_map(|arc| arc.p.iter().flatten()).fold(0.0_f64, |m, x| m.max(x.abs()));
     let apart = move |a: Point<2>, b: Point<2>| (0..2).any(|d| (a[d] - b[d]).abs() > 1e-9 * largest);

@@ -1,18 +1,17 @@
-//! What curves, control points and surfaces look like in a figure: the same in every program and on the
-//! command line.
+//! How curves, control points and surfaces look in a figure, in every program and on the command line.
 
 use super::picture::{Figure, Style};
 use super::wireframe::{all_lines, visible_lines};
 use crate::geometry::{BoundingBox, Closure, CubicBezier, GeometryError, Grid, ParamCurve, Point, View};
 use crate::screen::Color;
 
-/// Greatest distance of a picture's arcs from the curve, by the size of the curve: far below a
-/// thousandth of a pixel in a picture 800 pixels wide.
+/// Tolerance of arcs relative to the size of the curve: far below a thousandth of a pixel in a picture 800 pixels
+/// wide.
 const TOLERANCE: f64 = 1e-7;
-/// The same by the largest coordinate; doubles keep no less.
+/// Tolerance relative to the largest coordinate, near the precision of doubles.
 const LEAST_TOLERANCE: f64 = 1e-11;
 
-/// Widths of lines in nominal pixels.
+/// Line widths in nominal pixels.
 const CURVE_WIDTH: f64 = 2.0;
 const WIRE_WIDTH: f64 = 1.0;
 /// Radius of a control point in nominal pixels.
@@ -24,26 +23,26 @@ const POLYGON: [u8; 3] = [130, 130, 130];
 const POINT: [u8; 3] = [255, 255, 255];
 const EDGE: [u8; 3] = [170, 0, 0];
 
-/// The colour of a curve that stands alone.
+/// The colour of a single curve.
 pub const CURVE_INK: [u8; 3] = [0, 0, 170];
 
-/// A colour of the screen, which is for black ground, as one for white paper: darker.
+/// Darkens a colour of the screen, which is made for a black background, for white paper.
 #[must_use]
 pub fn print_ink(color: Color) -> [u8; 3] {
-    // Two thirds of a byte are a byte.
+    // Two thirds of a byte fit into a byte.
     color.rgb().map(|channel| (u16::from(channel) * 2 / 3) as u8)
 }
 
 /// Whether the lines that a surface hides are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hidden {
-    /// All lines are drawn, as of a surface of wires.
+    /// All lines are drawn, as for a wire frame.
     Drawn,
-    /// Only what is seen of an opaque surface.
+    /// Only the visible lines of an opaque surface are drawn.
     LeftOut,
 }
 
-/// How far the arcs of a picture may be from a curve that is no row of cubics, by the box of the curve.
+/// The tolerance of arcs for a curve that is not piecewise cubic, by its bounding box.
 #[must_use]
 pub fn tolerance<const D: usize>(bounds: Option<BoundingBox<D>>) -> f64 {
     let bounds = bounds.unwrap_or(BoundingBox::of_point([0.0; D]));
@@ -53,17 +52,17 @@ pub fn tolerance<const D: usize>(bounds: Option<BoundingBox<D>>) -> f64 {
 }
 
 impl Figure {
-    /// Adds a curve of the plane, exactly where it is cubic, else as near as any picture can show; one that
-    /// returns to its beginning is closed.
+    /// Adds a plane curve: exactly if it is piecewise cubic, else within a tolerance that no picture shows. A curve
+    /// that returns to its start is closed.
     ///
     /// # Errors
-    /// Those of [`ParamCurve::to_cubics`]; rows of cubic arcs have none.
+    /// Those of [`ParamCurve::to_cubics`]; piecewise cubic curves have none.
     pub fn plot_curve(&mut self, curve: &dyn ParamCurve<2>, ink: [u8; 3]) -> Result<(), GeometryError> {
         self.plot_arcs(arcs(curve)?, Style::line(ink, CURVE_WIDTH));
         Ok(())
     }
 
-    /// Adds a curve in space as a view shows it, as near as [`Figure::plot_curve`].
+    /// Adds the projection of a space curve, with the tolerance of [`Figure::plot_curve`].
     ///
     /// # Errors
     /// Those of [`ParamCurve::to_cubics`].
@@ -73,17 +72,17 @@ impl Figure {
         view: &View,
         ink: [u8; 3],
     ) -> Result<(), GeometryError> {
-        // The projection is linear: it takes arcs to arcs.
+        // The projection is linear, so it maps arcs to arcs.
         let seen = |arc: CubicBezier<3>| CubicBezier { p: arc.p.map(|point| view.place(point)) };
         let arcs = arcs(curve)?.into_iter().map(seen).collect();
         self.plot_arcs(arcs, Style::line(ink, CURVE_WIDTH));
         Ok(())
     }
 
-    /// Adds a thin curve that others are compared with.
+    /// Adds a thin curve, for comparison.
     ///
     /// # Errors
-    /// As [`Figure::plot_curve`].
+    /// Those of [`Figure::plot_curve`].
     pub fn plot_target(&mut self, curve: &dyn ParamCurve<2>) -> Result<(), GeometryError> {
         self.plot_arcs(arcs(curve)?, Style::line(EDGE, WIRE_WIDTH));
         Ok(())
@@ -112,28 +111,28 @@ impl Figure {
         }
     }
 
-    /// Adds the place where two spans of a curve join.
+    /// Adds a joint between two spans of a curve.
     pub fn plot_joint(&mut self, at: Point<2>) {
         self.disc(at, JOINT_RADIUS, Style::filled(CURVE_INK, CURVE_INK), None);
     }
 
-    /// Adds a tangent: dashed from its tip to its other end, with a mark at the tip.
+    /// Adds a tangent: a dashed line from its tip to its other end, with a mark at the tip.
     pub fn plot_tangent(&mut self, tip: Point<2>, end: Point<2>) {
         self.plot_polygon(vec![tip, end], Closure::Open);
         self.disc(tip, JOINT_RADIUS, Style::filled(POLYGON, POLYGON), None);
     }
 
-    /// Adds a line of a plane section through a surface.
+    /// Adds a line of a plane section of a surface.
     pub fn plot_section(&mut self, line: Vec<Point<2>>) {
         self.polyline(line, Closure::Open, Style::line(EDGE, CURVE_WIDTH));
     }
 
-    /// Adds a border of a surface, which is straight from point to point.
+    /// Adds a border of a surface as a polyline.
     pub fn plot_border(&mut self, line: Vec<Point<2>>) {
         self.polyline(line, Closure::Open, Style::line(CURVE_INK, WIRE_WIDTH));
     }
 
-    /// Adds the lines of a surface as a view shows them.
+    /// Adds the projected lines of a surface.
     pub fn plot_surface(&mut self, grid: &Grid, view: &View, hidden: Hidden) {
         let lines = match hidden {
             Hidden::Drawn => all_lines(grid, view),
@@ -148,7 +147,7 @@ fn arcs<const D: usize>(curve: &dyn ParamCurve<D>) -> Result<Vec<CubicBezier<D>>
     curve.to_cubics(tolerance(curve.bounding_box()))
 }
 
-/// The form of a curve: one that returns to its beginning is closed.
+/// The closure of a curve: closed if it returns to its start.
 #[must_use]
 pub fn closure(curve: &dyn ParamCurve<2>) -> Closure {
     if curve.closed() { Closure::Closed } else { Closure::Open }

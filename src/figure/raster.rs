@@ -1,7 +1,7 @@
 //! A picture as PNG: lines and discs by tiny-skia, letters by fontdue.
 //!
-//! The picture is drawn in bands of rows that go to the encoder one after the other, so that the
-//! largest one needs some megabytes only.
+//! The picture is drawn in bands of rows that are encoded one after the other, so that even the largest one needs
+//! only a few megabytes.
 
 use super::FigureError;
 use super::layout::{Layout, RULE};
@@ -45,7 +45,7 @@ impl Figure {
         self.check()?;
         let layout = Layout::new(self);
         let enlarged = f64::from(width) / f64::from(NOMINAL_WIDTH);
-        // At most some ten thousand.
+        // At most about ten thousand, so the cast keeps it.
         let height = (layout.height * enlarged).round().max(1.0) as u32;
         let font = font(&layout.letters)?;
         let discs = self.items.iter().filter(|item| matches!(item, Item::Disc { .. })).count();
@@ -135,8 +135,8 @@ impl<'a> Band<'a> {
         self.paint(path.finish(), &RULE);
     }
 
-    /// The place of a point of the world in the band. Computed in doubles, so that a small window far
-    /// from the origin keeps its shape.
+    /// The place of a world point in the band, computed in doubles so that a small window far from the origin keeps
+    /// its shape.
     fn pixel(&self, point: Point<2>) -> [f32; 2] {
         self.in_band(self.layout.place(point))
     }
@@ -179,10 +179,10 @@ impl<'a> Band<'a> {
         }
     }
 
-    /// Writes a line of black letters with a white seam, so that lines do not run through them.
+    /// Draws a line of black text with a white halo, so that lines do not run through it.
     fn write(&mut self, line: &Letters, font: &Font) {
         let [_, y] = line.at.map(|value| value * self.enlarged);
-        // No letter of the font is as high or deep as twice its size.
+        // No letter rises or descends by twice the font size.
         let reach = 2.0 * line.size * self.enlarged;
         let (top, bottom) = (f64::from(self.top), f64::from(self.top) + f64::from(self.pixmap.height()));
         if y + reach < top || y - reach > bottom {
@@ -215,10 +215,10 @@ impl<'a> Band<'a> {
     }
 }
 
-/// A channel covered by another colour's.
+/// Blends a channel of one colour over another.
 fn mix(below: u8, above: u8, coverage: u8) -> u8 {
     let (below, above, coverage) = (u32::from(below), u32::from(above), u32::from(coverage));
-    // A mean of two bytes is a byte.
+    // An average of two bytes fits into a byte.
     ((below * (255 - coverage) + above * coverage + 127) / 255) as u8
 }
 
@@ -352,7 +352,7 @@ fn font(letters: &[Letters]) -> Result<Option<Font>, FigureError> {
     font.map(Some).map_err(|message| FigureError::Encoding(message.to_string()))
 }
 
-/// The glyphs of a line, as far as they stand in the picture.
+/// The glyphs of a line that lie in the picture.
 fn line_glyphs(font: &Font, line: &Letters, enlarged: f64) -> Vec<Glyph> {
     let size = line.size * enlarged;
     let advance = LETTER_WIDTH * size;
@@ -370,7 +370,7 @@ fn line_glyphs(font: &Font, line: &Letters, enlarged: f64) -> Vec<Glyph> {
 }
 
 impl Glyph {
-    /// The glyph grown by `reach` pixels to all sides.
+    /// The glyph dilated by `reach` pixels.
     fn seam(&self, reach: usize) -> Glyph {
         let rows: Vec<&[u8]> = self.coverage.chunks_exact(self.width.max(1)).collect();
         let widened: Vec<Vec<u8>> = rows.iter().map(|row| grown(row, reach)).collect();
@@ -394,7 +394,7 @@ impl Glyph {
     }
 }
 
-/// Values with as many more on both sides; each is the largest within that reach.
+/// The running maximum within a reach; the result is longer by the reach on both sides.
 fn grown(values: &[u8], reach: usize) -> Vec<u8> {
     let largest = |at: usize| {
         let near = values.get(at.saturating_sub(2 * reach)..values.len().min(at + 1));

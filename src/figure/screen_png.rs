@@ -3,26 +3,26 @@
 use super::FigureError;
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 
-/// Effort of the compression, 1 to 9: more takes longer and gains little.
+/// Compression level, 1 to 9; higher ones take longer and gain little.
 const LEVEL: u8 = 3;
 
-/// The screen as a PNG of 640x480 pixels: 4 bits a pixel, which are the colour numbers of the VGA,
-/// and the palette of its 16 colours. The same screen gives the same bytes.
+/// The screen as a PNG of 640x480 pixels with 4 bits per pixel, the colour numbers of the VGA, and the palette of
+/// its 16 colours. The same screen gives the same bytes.
 ///
 /// # Errors
-/// [`FigureError::Encoding`] if the encoder refuses, which it does for no screen.
+/// [`FigureError::Encoding`] if the encoder fails; no screen is known to make it fail.
 pub fn screen_png(screen: &Screen) -> Result<Vec<u8>, FigureError> {
     screen_png_of_scale(screen, 1)
 }
 
-/// The largest scale of a screen's picture.
+/// The largest scale of [`screen_png_of_scale`].
 pub const LARGEST_SCALE: u32 = 16;
 
-/// The screen as a PNG whose pixels are squares of `scale` times `scale` pixels, 1 to [`LARGEST_SCALE`]; a scale
-/// out of this range becomes its nearest end.
+/// The screen as a PNG in which each pixel is a square of `scale` times `scale` pixels. The scale is clamped to 1 to
+/// [`LARGEST_SCALE`].
 ///
 /// # Errors
-/// [`FigureError::Encoding`] if the encoder refuses, which it does for no screen.
+/// [`FigureError::Encoding`] if the encoder fails; no screen is known to make it fail.
 pub fn screen_png_of_scale(screen: &Screen, scale: u32) -> Result<Vec<u8>, FigureError> {
     let scale = scale.clamp(1, LARGEST_SCALE);
     let (width, height) = (WIDTH.unsigned_abs(), HEIGHT.unsigned_abs());
@@ -32,7 +32,8 @@ pub fn screen_png_of_scale(screen: &Screen, scale: u32) -> Result<Vec<u8>, Figur
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
     encoder.set_palette(palette);
-    // Differences of colour numbers mean nothing: unfiltered rows are half as large, and sooner done.
+    // Differences of colour numbers mean nothing, so filters do not help: without them the file is half as large and
+    // sooner written.
     encoder.set_filter(png::Filter::NoFilter);
     encoder.set_deflate_compression(png::DeflateCompression::Level(LEVEL));
     let mut writer = encoder.write_header()?;
@@ -41,7 +42,7 @@ pub fn screen_png_of_scale(screen: &Screen, scale: u32) -> Result<Vec<u8>, Figur
     Ok(file)
 }
 
-/// The enlarged pixels, two in a byte; a row has an even number of them.
+/// The enlarged pixels, two per byte; rows have an even number of pixels.
 fn packed(screen: &Screen, scale: usize) -> Vec<u8> {
     let mut packed = Vec::with_capacity(screen.pixels().len() * scale * scale / 2);
     for row in screen.pixels().chunks_exact(WIDTH.unsigned_abs() as usize) {

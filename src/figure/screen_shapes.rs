@@ -1,19 +1,18 @@
-//! The screen as shapes, in SVG and PDF: rectangles of one colour that stay crisp however far they are
-//! enlarged.
+//! The screen as rectangles of one colour, in SVG and PDF, which stay sharp at any scale.
 
 use super::pdf::{Page, shares};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Points of a page for a pixel of the screen.
+/// Points per pixel of the screen.
 const POINTS: f64 = 0.75;
 
 /// A rectangle: left, top, width, height.
 type Rectangle = [usize; 4];
 
-/// The screen as an SVG document of 640x480 pixels: a ground of the commonest colour, and a path for each
-/// other colour, of rectangles that neither overlap nor leave a gap. The same screen gives the same text.
+/// The screen as an SVG document of 640x480 pixels: a background of the most frequent colour, and for each other
+/// colour a path of disjoint rectangles. The same screen gives the same text.
 #[must_use]
 pub fn screen_svg(screen: &Screen) -> String {
     let (ground, shapes) = shapes(screen);
@@ -35,7 +34,7 @@ pub fn screen_svg(screen: &Screen) -> String {
     out
 }
 
-/// The screen as a PDF of one page of 480x360 points, by the same rectangles.
+/// The screen as a PDF of one page of 480x360 points, with the same rectangles.
 #[must_use]
 pub fn screen_pdf(screen: &Screen) -> Vec<u8> {
     let (ground, shapes) = shapes(screen);
@@ -55,8 +54,8 @@ pub fn screen_pdf(screen: &Screen) -> Vec<u8> {
     page.finish(None)
 }
 
-/// The commonest colour, and the rectangles of each other one by its number: runs of pixels that go on in the
-/// rows below.
+/// The most frequent colour, and the rectangles of each other colour by its number. A rectangle is a run of pixels
+/// that repeats in the rows below.
 fn shapes(screen: &Screen) -> (u8, BTreeMap<u8, Vec<Rectangle>>) {
     let mut counts = [0_usize; 16];
     for &pixel in screen.pixels() {
@@ -66,7 +65,7 @@ fn shapes(screen: &Screen) -> (u8, BTreeMap<u8, Vec<Rectangle>>) {
     }
     let ground = (0..16_u8).max_by_key(|&color| counts.get(usize::from(color)).copied()).unwrap_or(0);
     let mut shapes: BTreeMap<u8, Vec<Rectangle>> = BTreeMap::new();
-    // What may go on in the next row: the number of the rectangle by its left edge, width and colour.
+    // Rectangles that the next row may continue: their index by left edge, width and colour.
     let mut open: BTreeMap<(usize, usize, u8), usize> = BTreeMap::new();
     for (y, row) in screen.pixels().chunks_exact(WIDTH.unsigned_abs() as usize).enumerate() {
         let mut going_on = BTreeMap::new();

@@ -1,25 +1,25 @@
-//! Surfaces exactly, for CAD programs: STEP (ISO 10303-21) of the application protocol AP214.
+//! Exact surfaces for CAD programs: STEP (ISO 10303-21), application protocol AP214.
 //!
-//! The surface is one B-spline surface on one face; its borders are edges, a seam is an edge used twice, a pole
-//! has none. A closed surface is a solid, an open one a shell. One unit of the net is one millimetre.
+//! The model is one face on one B-spline surface. Its borders are edges; a seam is one edge used twice, and a pole has
+//! no edge. A closed surface is a solid, an open one a shell. One unit of the net is one millimetre.
 
 use super::FigureError;
 use super::mesh::Mesh;
 use crate::geometry::{BSplineSurface, ParamSurface, Point, Rim};
 use std::fmt::{self, Write};
 
-/// The highest degree that Open CASCADE reads, the kernel of FreeCAD among others.
+/// The highest degree that Open CASCADE, the kernel of FreeCAD, reads.
 const MOST_DEGREES: usize = 25;
-/// Steps a cell that tell the inside of a closed surface from the outside.
+/// Samples per cell for telling the inside of a closed surface from the outside.
 const LOOK: usize = 4;
 
-/// A surface as the text of a STEP file with one product of that name. The control points and knots are those
-/// of [`ParamSurface::to_bspline`]; numbers read back as the same double. A closed surface becomes a solid whose
-/// face looks outwards. The same surface gives the same text: the file bears no date.
+/// A surface as the text of a STEP file with one product of the given name. Control points and knots are those of
+/// [`ParamSurface::to_bspline`]; numbers read back as the same double. A closed surface becomes a solid whose face
+/// is oriented outwards. The same surface gives the same text, as the file has no date.
 ///
 /// # Errors
-/// [`FigureError::NoExactForm`] for a surface that is no B-spline surface, [`FigureError::Degree`] for a Bézier net of more than 26 points a side, [`FigureError::NoTriangles`] for a
-/// surface without area.
+/// [`FigureError::NoExactForm`] for a surface that is not a B-spline surface, [`FigureError::Degree`] for a Bézier
+/// net of more than 26 points a side, [`FigureError::NoTriangles`] for a surface without area.
 pub fn surface_step(surface: &dyn ParamSurface, name: &str) -> Result<String, FigureError> {
     let form = surface.to_bspline().ok_or(FigureError::NoExactForm)?;
     if let Some(&given) = form.degrees.iter().find(|&&degree| degree > MOST_DEGREES) {
@@ -36,7 +36,7 @@ pub fn surface_step(surface: &dyn ParamSurface, name: &str) -> Result<String, Fi
     Ok(file.finish(item, kind))
 }
 
-/// What a file is made of: lines `#number=ENTITY(...);`.
+/// The entities of a file: lines `#number=ENTITY(...);`.
 struct File {
     name: String,
     data: String,
@@ -51,7 +51,7 @@ impl File {
         Self { name: quoted(name), data: String::new(), count: 0 }
     }
 
-    /// Adds an entity and gives its number.
+    /// Adds an entity and returns its number.
     fn add(&mut self, entity: impl fmt::Display) -> Id {
         self.count += 1;
         // Writing to a string cannot fail.
@@ -63,7 +63,7 @@ impl File {
         self.add(format_args!("CARTESIAN_POINT('',({},{},{}))", Real(x), Real(y), Real(z)))
     }
 
-    /// Adds what a product needs around its shape.
+    /// Adds the product structure around the shape.
     fn finish(mut self, item: Id, representation: Representation) -> String {
         let name = self.name.clone();
         let application =
@@ -105,11 +105,11 @@ impl File {
     }
 }
 
-/// A surface with what its borders are.
+/// A surface and its borders.
 struct Face<'a> {
     form: &'a BSplineSurface,
     closed: [bool; 2],
-    /// The borders of direction d at its beginning and its end that are a single point.
+    /// For direction d, whether the borders at its start and end degenerate to a point.
     poles: [[bool; 2]; 2],
 }
 
@@ -120,13 +120,13 @@ impl<'a> Face<'a> {
         Self { form, closed, poles }
     }
 
-    /// Writes the face in its shell and gives the entity with the kind of representation that holds it.
+    /// Writes the face in its shell. Returns the entity and the kind of representation that holds it.
     fn write(&self, file: &mut File, inside_out: bool) -> (Id, Representation) {
         let net: Vec<Vec<Id>> =
             self.form.net.iter().map(|row| row.iter().map(|&point| file.point(point)).collect()).collect();
         let surface = self.surface(file, &net);
         let boundary = self.boundary(file, &net);
-        // Where the face looks against the surface, its boundary runs the other way too.
+        // If the face is oriented against the surface, its boundary is reversed too.
         let sense = Flag(!inside_out);
         let bound = file.add(format_args!("FACE_OUTER_BOUND('',{boundary},{sense})"));
         let face = file.add(format_args!("ADVANCED_FACE('',({bound}),{surface},{sense})"));
@@ -177,7 +177,7 @@ impl<'a> Face<'a> {
             if self.poles[across][end] {
                 continue;
             }
-            // Both sides of a seam are the same edge.
+            // Both sides of a seam share one edge.
             let end = if self.closed[across] { 0 } else { end };
             if edges[across][end].is_none() {
                 let corners = if across == 1 { [[0, end], [1, end]] } else { [[end, 0], [end, 1]] };
@@ -197,7 +197,7 @@ impl<'a> Face<'a> {
         }
     }
 
-    /// The corner of the parameters that a corner is the same point as.
+    /// The representative of a corner among the corners with the same point.
     fn stands_for(&self, u: usize, v: usize) -> [usize; 2] {
         let u = if self.closed[0] { 0 } else { u };
         let v = if self.closed[1] { 0 } else { v };
@@ -205,7 +205,7 @@ impl<'a> Face<'a> {
         [u, if self.poles[0][u] { 0 } else { v }]
     }
 
-    /// The border at the beginning (0) or the end (1) of a direction as a curve.
+    /// The border curve at the start (0) or end (1) of a direction.
     fn curve(&self, file: &mut File, net: &[Vec<Id>], across: usize, end: usize) -> Id {
         let points: Vec<Id> = match (across, end) {
             (0, 0) => net.first().cloned().unwrap_or_default(),
@@ -259,8 +259,8 @@ fn reals(values: &[f64]) -> Vec<Real> {
     values.iter().copied().map(Real).collect()
 }
 
-/// A number with the decimal point that STEP asks for, which reads back as the same double but for the sign
-/// of zero.
+/// A number with the decimal point that STEP requires. It reads back as the same double, except for the sign of
+/// zero.
 struct Real(f64);
 
 impl fmt::Display for Real {

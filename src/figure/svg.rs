@@ -1,5 +1,5 @@
-//! A picture as SVG. Curves keep the very numbers of their control points, in a group whose transform
-//! maps the world to the picture; discs and letters stand outside of it, in nominal pixels.
+//! A picture as SVG. Curves keep the numbers of their control points, in a group whose transform maps world
+//! coordinates to the picture. Discs and text are outside that group, in nominal pixels.
 
 use super::FigureError;
 use super::layout::{Layout, RULE};
@@ -12,9 +12,8 @@ use std::fmt::{self, Write};
 impl Figure {
     /// The picture as an SVG document, [`NOMINAL_WIDTH`] pixels wide.
     ///
-    /// Every curve is one `path` of absolute `M` and `C` commands in world coordinates; its numbers read
-    /// back as the same doubles as the arcs' control points. A closed curve ends with `Z`. The start of
-    /// an arc is the end of the one before it.
+    /// Every curve is one `path` of absolute `M` and `C` commands in world coordinates. Its numbers read back as the
+    /// doubles of the control points. A closed curve ends with `Z`.
     ///
     /// # Errors
     /// [`FigureError`] for a coordinate that is not finite or too large, and for sizes out of range.
@@ -22,14 +21,14 @@ impl Figure {
         self.to_svg_of_width(NOMINAL_WIDTH)
     }
 
-    /// The picture as an SVG document whose `width` is another one: [`SMALLEST_WIDTH`] to
-    /// [`LARGEST_WIDTH`] pixels, everything else being enlarged or reduced with it.
+    /// The picture as an SVG document with another `width`, [`SMALLEST_WIDTH`] to [`LARGEST_WIDTH`] pixels.
+    /// Everything is scaled with it.
     ///
     /// [`SMALLEST_WIDTH`]: super::SMALLEST_WIDTH
     /// [`LARGEST_WIDTH`]: super::LARGEST_WIDTH
     ///
     /// # Errors
-    /// As [`Figure::to_svg`], and for such a width.
+    /// Those of [`Figure::to_svg`], and a width out of range.
     pub fn to_svg_of_width(&self, width: u32) -> Result<String, FigureError> {
         check_width(width)?;
         self.check()?;
@@ -104,14 +103,14 @@ fn write_item(out: &mut String, item: &Item, layout: &Layout) -> fmt::Result {
     }
 }
 
-/// A path in world coordinates; one without any point is left out.
+/// A path in world coordinates; omitted if it has no points.
 fn write_path(out: &mut String, data: &str, style: &Style, scale: f64) -> fmt::Result {
     if data.is_empty() {
         return Ok(());
     }
     write!(out, "<path d=\"{data}\"")?;
-    // Within the group everything is enlarged by the scale, line widths too. The attribute
-    // vector-effect would keep them, but several readers do not know it.
+    // The transform of the group scales line widths too. The attribute vector-effect would prevent that, but
+    // several readers do not support it.
     write_style(out, style, 1.0 / scale)?;
     writeln!(out, "/>")
 }
@@ -154,7 +153,7 @@ fn command(data: &mut String, letter: &str, points: &[Point<2>]) {
     }
 }
 
-/// The style; a nominal pixel measures `pixel` where it is used.
+/// The attributes of a style; `pixel` is the size of a nominal pixel in the units of the path.
 fn write_style(out: &mut String, style: &Style, pixel: f64) -> fmt::Result {
     write!(out, " fill=\"{}\"", Paint(style.fill))?;
     let Some(stroke) = style.stroke else { return Ok(()) };
@@ -166,7 +165,7 @@ fn write_style(out: &mut String, style: &Style, pixel: f64) -> fmt::Result {
     Ok(())
 }
 
-/// Letters with a white seam, so that lines do not run through them.
+/// Text with a white halo, so that lines do not run through it.
 fn write_letters(out: &mut String, letters: &[Letters]) -> fmt::Result {
     if letters.is_empty() {
         return Ok(());
@@ -195,7 +194,7 @@ impl fmt::Display for Paint {
     }
 }
 
-/// Text as XML content.
+/// Escapes text for XML.
 struct Escaped<'a>(&'a str);
 
 impl fmt::Display for Escaped<'_> {

@@ -1,21 +1,21 @@
-//! The visible lines of a surface as vectors: what a wire frame shows when the surface is opaque.
+//! Hidden line removal: the visible lines of an opaque surface as vectors.
 //!
-//! Every edge of the grid is cut where a triangle of the grid hides it; no pixels take part, so that the lines
-//! can be enlarged at will. The triangles are flat: at the outline of a coarse grid a line ends as its
-//! neighbours' triangles say, not as the curved surface would.
+//! Every edge of the grid is clipped against the triangles of the grid, without pixels, so that the lines can be
+//! enlarged at will. The triangles are flat, so near the silhouette of a coarse grid visibility is that of the
+//! triangles, not that of the curved surface.
 
 use super::mesh::split;
 use crate::geometry::{Grid, Point, View};
 
-/// How far behind a triangle an edge has to be to be hidden by it, by the size of the picture.
+/// A triangle hides an edge that is behind it by at least this depth, relative to the size of the picture.
 const BEHIND: f64 = 1e-7;
-/// Pieces shorter than this part of the picture are left out.
+/// Pieces shorter than this fraction of the picture are left out.
 const SHORT: f64 = 1e-5;
-/// The most bins along a side of the picture.
+/// Largest number of bins along a side of the picture.
 const MOST_BINS: usize = 512;
 
-/// The parts of a grid's lines that are seen, as rows of points in the plane of the view. Lines of constant
-/// `u` come first, then those of constant `v`; a closing line is not drawn twice.
+/// The visible parts of a grid's lines, as polylines in the plane of the view. Lines of constant `u` come first, then
+/// those of constant `v`; a closing line is not drawn twice.
 ///
 /// ```
 /// use grafika::figure::visible_lines;
@@ -52,8 +52,8 @@ pub fn visible_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
     lines
 }
 
-/// All lines of a grid, as rows of points in the plane of the view: those of constant `u`, then those of
-/// constant `v`; a closing line is not drawn twice.
+/// All lines of a grid, as polylines in the plane of the view: those of constant `u`, then those of constant `v`; a
+/// closing line is not drawn twice.
 #[must_use]
 pub fn all_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
     let place = |index: &usize| grid.points().get(*index).map(|&point| view.place(point));
@@ -69,16 +69,16 @@ fn grid_lines(grid: &Grid) -> Vec<Vec<usize>> {
     along_v.chain(along_u).collect()
 }
 
-/// A place in the picture, from -1 to 1, with its depth.
+/// A point in the picture, coordinates from -1 to 1, with its depth.
 type Place = [f64; 3];
 
-/// The triangles of a grid in the picture, by the bins that they lie in.
+/// The projected triangles of a grid, sorted into bins.
 struct Scene {
     places: Vec<Place>,
     triangles: Vec<[usize; 3]>,
     bins: Vec<Vec<u32>>,
     side: usize,
-    /// The last edge that looked at a triangle, so that none is looked at twice.
+    /// For each triangle, the last edge tested against it, so that it is tested once per edge.
     looked: Vec<u32>,
     edges: u32,
 }
@@ -145,9 +145,9 @@ impl Scene {
     }
 }
 
-/// The bins that the box round some places touches.
+/// The bins that the bounding box of some points touches.
 fn bins(side: usize, places: &[Place]) -> impl Iterator<Item = usize> + use<> {
-    // A cast of what is beyond the range saturates, which is what is wanted.
+    // Casts out of range saturate, as wanted.
     let bin = |x: f64| (((x + 1.0) / 2.0 * side as f64) as usize).min(side - 1);
     let range = |d: usize| {
         let values = || places.iter().map(|place| place[d]);
@@ -157,10 +157,10 @@ fn bins(side: usize, places: &[Place]) -> impl Iterator<Item = usize> + use<> {
     rows.flat_map(move |row| columns.clone().map(move |column| row * side + column))
 }
 
-/// The part of an edge that lies behind a triangle.
+/// The part of an edge that is hidden by a triangle.
 fn behind([from, to]: [Place; 2], [a, b, c]: [Place; 3]) -> Option<[f64; 2]> {
     let area = side_of(a, b, c);
-    // Seen from its edge a triangle hides nothing.
+    // A triangle seen edge-on hides nothing.
     if area == 0.0 {
         return None;
     }
@@ -171,7 +171,7 @@ fn behind([from, to]: [Place; 2], [a, b, c]: [Place; 3]) -> Option<[f64; 2]> {
     for (&start, &end) in at_from.iter().zip(&at_to) {
         range = positive(range, start, end)?;
     }
-    // Both are inside of the triangle now, where weights and depths are of ordinary size.
+    // Both are inside the triangle now, where weights and depths are bounded.
     let depth = |t: f64| {
         let w: [f64; 3] = std::array::from_fn(|n| (1.0 - t) * at_from[n] + t * at_to[n]);
         let over = w[0] * a[2] + w[1] * b[2] + w[2] * c[2] - ((1.0 - t) * from[2] + t * to[2]);
@@ -199,7 +199,7 @@ fn positive([start, end]: [f64; 2], at_0: f64, at_1: f64) -> Option<[f64; 2]> {
     (range[0] < range[1]).then_some(range)
 }
 
-/// What is left of 0 to 1 without some parts, in pieces no shorter than given.
+/// The interval 0 to 1 without some parts, in pieces no shorter than a given length.
 fn rest(mut hidden: Vec<[f64; 2]>, short: f64) -> Vec<[f64; 2]> {
     hidden.sort_by(|one, other| one[0].total_cmp(&other[0]));
     let (mut pieces, mut reached) = (Vec::new(), 0.0);
@@ -240,7 +240,7 @@ mod tests {
         let lines = visible_lines(&ball(), &view);
         let seen: f64 = lines.iter().map(|line| length(line)).sum();
         let all: f64 = all_lines(&ball(), &view).iter().map(|line| length(line)).sum();
-        // The cells across the outline are seen whole.
+        // Cells across the silhouette are visible as a whole.
         assert!((0.5..0.52).contains(&(seen / all)), "{}", seen / all);
     }
 

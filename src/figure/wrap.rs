@@ -1,7 +1,7 @@
 //! Breaking text into lines.
 
-/// A text in lines of at most `width` letters, broken at blanks where there are any; words that are longer
-/// are broken anywhere. An empty text is one empty line.
+/// Breaks a text into lines of at most `width` characters, at blanks where possible; longer words are broken
+/// anywhere. An empty text is one empty line.
 ///
 /// ```
 /// assert_eq!(grafika::figure::wrap("one two three", 7), ["one two", "three"]);

@@ -4,10 +4,10 @@ use super::TextEvent;
 use super::page::{Hit, Row};
 use crate::machine::Key;
 
-/// Lines that Page Up and Page Down go.
+/// Number of lines that Page Up and Page Down move.
 const LEAP: isize = 10;
 
-/// The line that is chosen after an event; `None` for events that choose nothing. Headings are passed over.
+/// The line chosen by an event; `None` if it chooses nothing. Headings are skipped.
 pub fn chosen_after(rows: &[Row], chosen: usize, event: TextEvent) -> Option<usize> {
     let last = rows.len() as isize;
     let by = match event {

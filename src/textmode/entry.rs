@@ -1,8 +1,8 @@
-//! A line of text that is typed.
+//! A line of text being typed.
 
 use crate::machine::Key;
 
-/// More letters than any path on a line needs.
+/// Greatest length in characters, longer than any usual path.
 const LONGEST: usize = 1024;
 
 /// A line being typed, with its cursor.
@@ -10,18 +10,18 @@ const LONGEST: usize = 1024;
 pub struct Line {
     letters: Vec<char>,
     cursor: usize,
-    /// Still as it was offered: the first letter typed replaces it.
+    /// Whether it is still the proposal, which the first letter replaces.
     untouched: bool,
 }
 
 impl Line {
-    /// A line with an offer, which the first letter typed replaces.
+    /// A line with a proposal, which the first letter replaces.
     pub fn offering(text: &str) -> Line {
         let letters: Vec<char> = text.chars().filter(|letter| !letter.is_control()).take(LONGEST).collect();
         Line { cursor: letters.len(), letters, untouched: true }
     }
 
-    /// The text as it stands.
+    /// The present text.
     pub fn text(&self) -> String {
         self.letters.iter().collect()
     }
@@ -31,7 +31,7 @@ impl Line {
         self.cursor
     }
 
-    /// Types, deletes or moves the cursor; false for keys that do none of these.
+    /// Inserts, deletes or moves the cursor; returns `false` for other keys.
     pub fn key(&mut self, key: Key) -> bool {
         match key {
             Key::Char(typed) if !typed.is_control() => self.insert(typed),

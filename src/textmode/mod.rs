@@ -1,9 +1,9 @@
-//! Pages of a text mode, as the installer of the book's disk had them: a list on the left, a summary of what is
-//! chosen on the right, the keys on the last line, and questions over it.
+//! Pages in text mode, as the installer on the book's disk had them: a list on the left, a summary of the choice on
+//! the right, keys on the last line, and questions over the page.
 //!
-//! A [`TextProgram`] says what its page is and is told what happens; it draws nothing and waits for nothing, so
-//! that the same program is shown in a terminal ([`in_terminal`]), on the 640x480 screen of a [`Machine`]
-//! ([`on_machine`]) and in tests. Pages are drawn with `ratatui`, which is seen nowhere outside of this room.
+//! A [`TextProgram`] describes its page and receives events. It draws nothing and waits for nothing, so that the same
+//! program runs in a terminal ([`in_terminal`]), on the 640x480 screen of a [`Machine`] ([`on_machine`]) and in tests.
+//! Pages are drawn with `ratatui`, which no program sees.
 //!
 //! [`Machine`]: crate::machine::Machine
 
@@ -23,7 +23,7 @@ pub use terminal::in_terminal;
 
 use crate::machine::Key;
 
-/// What happens to a page.
+/// An event of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextEvent {
     /// A key.
@@ -36,12 +36,12 @@ pub enum TextEvent {
     Close,
 }
 
-/// What a program does by itself.
+/// Whether a program waits, works or has ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doing {
-    /// It waits for its user.
+    /// It waits for the user.
     Waiting,
-    /// It has work left: [`TextProgram::work`] wants to be called again.
+    /// It has work left, so [`TextProgram::work`] is called again.
     Working,
     /// It has ended.
     Ended,
@@ -49,13 +49,13 @@ pub enum Doing {
 
 /// A program that shows pages.
 pub trait TextProgram {
-    /// The page as it stands.
+    /// The present page.
     fn page(&self) -> Page;
 
-    /// Something has happened.
+    /// Handles an event.
     fn event(&mut self, event: TextEvent);
 
-    /// Does the next piece of the work, if there is any: a few milliseconds, so that the page stays alive.
+    /// Does the next piece of work, if any. It takes a few milliseconds, so that the page stays responsive.
     fn work(&mut self);
 
     /// Whether it waits, works or has ended.

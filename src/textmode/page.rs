@@ -1,4 +1,4 @@
-//! A page and how it is drawn into the cells of a text mode, of whatever size.
+//! Pages, and how they are drawn into cells of any number.
 
 use super::entry::Line;
 use crate::machine::Language;
@@ -8,13 +8,13 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line as Text, Span};
 use ratatui::widgets::{Block, BorderType, Clear, Gauge, Paragraph, Widget, Wrap};
 
-/// Columns and rows that a page needs.
+/// The smallest page, in columns and rows.
 pub const LEAST: (u16, u16) = (48, 12);
 
-/// Columns of the list on wide pages; its share of narrow ones is a little less than half.
+/// Columns of the list on wide pages; on narrow ones it gets a little less than half.
 const LIST: u16 = 36;
 
-/// What the DOS installers looked like: light letters on blue windows, a grey bar of keys with red letters.
+/// The colours of DOS installers: light letters on blue windows, a grey bar of keys with red letters.
 const WINDOW: Style = Style::new().fg(Color::Gray).bg(Color::Blue);
 const TITLE: Style = Style::new().fg(Color::White).bg(Color::Blue);
 const HEADING: Style = Style::new().fg(Color::LightCyan).bg(Color::Blue);
@@ -29,51 +29,51 @@ const DONE: Style = Style::new().fg(Color::Blue).bg(Color::Cyan);
 /// A line of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Row {
-    /// Says what the lines under it are; it cannot be chosen.
+    /// A heading, which cannot be chosen.
     Heading(String),
     /// Can be chosen.
     Item(String),
-    /// Can be chosen and marked; a V stands before what is.
+    /// Can be chosen and marked; marked lines begin with a V.
     Mark(bool, String),
 }
 
-/// What stands on the right about what is chosen.
+/// The summary of the chosen line, on the right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Summary {
-    /// Above it, in the frame.
+    /// The title in the frame.
     pub title: String,
-    /// Paragraphs; an empty one is an empty line.
+    /// Paragraphs; an empty one gives an empty line.
     pub lines: Vec<String>,
 }
 
-/// What lies over a page.
+/// An overlay on a page.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Overlay {
-    /// A message or a question with its answers, each a hot letter and its word.
+    /// A message, or a question with its answers, each a hot letter and a word.
     Message {
-        /// In the frame.
+        /// The title in the frame.
         title: String,
-        /// What is said or asked.
+        /// The message or question.
         lines: Vec<String>,
-        /// The answers, or what goes on.
+        /// The answers, or the key that continues.
         answers: Vec<(String, String)>,
     },
-    /// A line to be typed.
+    /// A line to type.
     Entry {
-        /// What is asked.
+        /// The question.
         title: String,
-        /// What has been typed.
+        /// The text typed so far.
         line: Line,
     },
-    /// How far the work is.
+    /// The progress of work.
     Progress {
-        /// In the frame.
+        /// The title in the frame.
         title: String,
-        /// Parts that are done.
+        /// Finished parts.
         done: usize,
-        /// All parts.
+        /// Total number of parts.
         total: usize,
-        /// What is being done now.
+        /// The part being done.
         now: String,
     },
 }
@@ -81,21 +81,21 @@ pub enum Overlay {
 /// A page: a list, a summary, the keys, and perhaps something over it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Page {
-    /// The language, for what the page says by itself.
+    /// The language of the page's own words.
     pub language: Language,
-    /// On the first line.
+    /// The title on the first line.
     pub title: String,
-    /// In the frame of the list.
+    /// The title of the list.
     pub list_title: String,
     /// The list.
     pub rows: Vec<Row>,
     /// The line that is chosen.
     pub chosen: usize,
-    /// About what is chosen.
+    /// The summary of the chosen line.
     pub summary: Summary,
-    /// Keys and what they do, for the last line.
+    /// Keys and their meanings, for the last line.
     pub keys: Vec<(String, String)>,
-    /// What lies over the page.
+    /// The overlay, if any.
     pub overlay: Option<Overlay>,
 }
 
@@ -110,7 +110,7 @@ pub enum Hit {
     Key(usize),
 }
 
-/// Where the parts of a page are.
+/// The areas of the parts of a page.
 struct Parts {
     title: Rect,
     list: Rect,
@@ -129,7 +129,7 @@ impl Parts {
     }
 }
 
-/// What is inside a frame.
+/// The area inside a frame.
 fn inside(frame: Rect) -> Rect {
     frame.inner(Margin::new(1, 1))
 }
@@ -140,7 +140,7 @@ fn window(title: &str) -> Block<'_> {
 }
 
 impl Page {
-    /// Draws the page into an area; where that is too small, what is missing instead.
+    /// Draws the page into an area, or a message if the area is too small.
     pub(super) fn draw(&self, area: Rect, cells: &mut Buffer) {
         let area = area.intersection(cells.area);
         Clear.render(area, cells);
@@ -168,7 +168,7 @@ impl Page {
         }
     }
 
-    /// The page as text, line by line, as a display of this size shows it.
+    /// The page as lines of text on a display of the given size.
     pub fn to_text(&self, columns: u16, rows: u16) -> String {
         let area = Rect::new(0, 0, columns, rows);
         let mut cells = Buffer::empty(area);
@@ -200,7 +200,7 @@ impl Page {
         (list.contains(at) && is_item).then_some(Hit::Row(index))
     }
 
-    /// The first line of the list that is seen: the chosen one is in the middle, but for the ends.
+    /// The first visible line of the list. The chosen line is in the middle, except near the ends.
     fn first_row(&self, list: Rect) -> usize {
         let height = usize::from(list.height);
         self.chosen.saturating_sub(height / 2).min(self.rows.len().saturating_sub(height))
@@ -227,7 +227,7 @@ impl Page {
         self.draw_scrollers(frame, list, cells);
     }
 
-    /// Arrows in the frame where the list goes on.
+    /// Draws arrows in the frame where the list continues.
     fn draw_scrollers(&self, frame: Rect, list: Rect, cells: &mut Buffer) {
         let first = self.first_row(list);
         let right = frame.right().saturating_sub(1);
@@ -261,7 +261,7 @@ impl Page {
     }
 }
 
-/// Letters that a line of an area has room for, one apart from its left edge.
+/// The number of letters in a line of an area, one column from its left edge.
 fn room(area: Rect) -> usize {
     usize::from(area.width.saturating_sub(1))
 }
@@ -270,7 +270,7 @@ fn width(text: &str) -> u16 {
     u16::try_from(Text::from(text).width()).unwrap_or(u16::MAX)
 }
 
-/// Places of words with hot keys before them, side by side, as far as there is room.
+/// The areas of words with their hot keys, side by side, as many as fit.
 fn row_of(words: &[(String, String)], area: Rect, gap: u16) -> Vec<Rect> {
     let mut x = area.x;
     let mut places = Vec::new();
@@ -285,7 +285,7 @@ fn row_of(words: &[(String, String)], area: Rect, gap: u16) -> Vec<Rect> {
     places
 }
 
-/// An area of some size in the middle of another one.
+/// An area of the given size, centred in another one.
 fn middle(area: Rect, width: u16, height: u16) -> Rect {
     let (width, height) = (width.min(area.width), height.min(area.height));
     Rect { x: area.x + (area.width - width) / 2, y: area.y + (area.height - height) / 2, width, height }
@@ -298,7 +298,7 @@ fn framed(title: &str, area: Rect, cells: &mut Buffer) {
     block.title_top(Text::from(title).centered()).render(area, cells);
 }
 
-/// The area of a message: wide enough for its lines where there is room, else they are wrapped.
+/// The area of a message: wide enough for its lines if possible; otherwise they are wrapped.
 fn message_area(area: Rect, lines: &[String], answers: &[(String, String)]) -> Rect {
     let most = area.width.saturating_sub(4);
     let longest = lines.iter().map(|line| width(line)).max().unwrap_or(0);
@@ -309,7 +309,7 @@ fn message_area(area: Rect, lines: &[String], answers: &[(String, String)]) -> R
     middle(area, wide, rows.saturating_add(4))
 }
 
-/// Rows that a line takes at a width, as the paragraph wraps it.
+/// The number of rows of a line wrapped at a width.
 fn wrapped(line: &str, width: u16) -> u16 {
     let paragraph = Paragraph::new(line).wrap(Wrap { trim: true });
     let probe = Rect { x: 0, y: 0, width: width.max(1), height: 16 };
@@ -354,7 +354,7 @@ fn draw_entry(area: Rect, title: &str, line: &Line, cells: &mut Buffer) {
     framed(title, frame, cells);
     let field = frame.inner(Margin::new(2, 1));
     cells.set_style(field, FIELD);
-    // The part with the cursor is seen, one cell for a letter.
+    // Scrolled so that the cursor is visible, with one cell per letter.
     let (text, at) = (line.text(), line.cursor());
     let first = at.saturating_sub(usize::from(field.width).saturating_sub(1));
     let seen: String = text.chars().skip(first).collect();

@@ -15,7 +15,7 @@ pub const ROWS: u16 = (HEIGHT / CELL.1) as u16;
 
 /// Width and height of a cell in pixels.
 const CELL: (i32, i32) = (8, 16);
-/// How far below the upper edge of its cell a letter begins.
+/// Distance of a letter from the upper edge of its cell in pixels.
 const LETTER: i32 = 4;
 
 const AREA: Rect = Rect { x: 0, y: 0, width: COLUMNS, height: ROWS };
@@ -51,7 +51,7 @@ pub async fn on_machine(machine: &mut Machine, program: &mut dyn TextProgram) ->
             program.event(TextEvent::Wheel(steps));
         }
         if let Some((x, y)) = tick.click() {
-            // The mouse stays on the screen, whose cells are fewer than 16 bits count.
+            // The mouse stays on the screen, so its cell fits into 16 bits.
             let at = (x.clamp(0, WIDTH - 1) / CELL.0, y.clamp(0, HEIGHT - 1) / CELL.1);
             if let Some(hit) = page.hit(AREA, at.0 as u16, at.1 as u16) {
                 program.event(TextEvent::Click(hit));
@@ -82,7 +82,7 @@ fn paint_cell(cell: &Cell, x: i32, y: i32, screen: &mut Screen) {
     screen.bar(x, y, x + CELL.0 - 1, y + CELL.1 - 1, paper);
     match cell.symbol().chars().next() {
         None | Some(' ') => {}
-        // Frames have to meet: every row of theirs is two pixels high.
+        // Frames must have no gaps, so each row of their letters is two pixels high.
         Some(frame @ '\u{2500}'..='\u{259F}') => {
             let rows = glyph(frame).unwrap_or([0xFF; 8]);
             for (line, bits) in (y..y + CELL.1).zip(rows.iter().flat_map(|bits| [bits, bits])) {
@@ -94,7 +94,7 @@ fn paint_cell(cell: &Cell, x: i32, y: i32, screen: &mut Screen) {
     }
 }
 
-/// The colour of the screen that a terminal's colour stands for.
+/// The colour of the screen for a colour of the terminal.
 fn color(wanted: Ink, default: Color) -> Color {
     match wanted {
         Ink::Black => Color::Black,
@@ -126,7 +126,7 @@ mod tests {
     fn frames_meet_and_letters_are_letters() {
         let mut screen = Screen::new();
         paint(&example(10, 3), &mut screen);
-        // The left line of the list's frame goes down without a gap.
+        // The left line of the list's frame has no gaps.
         let line = |y| (0..8).filter(|&x| screen.pixel(x, y) == Some(Color::LightGray)).count();
         assert!((40..440).all(|y| line(y) >= 2));
         let text: String = screen.letters().map(|letter| letter.ch).filter(|ch| *ch != ' ').collect();

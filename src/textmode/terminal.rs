@@ -4,15 +4,15 @@ use super::{Doing, TextEvent, TextProgram};
 use crate::display::terminal::{LineEvent, Lines, TerminalError};
 use std::time::Duration;
 
-/// The longest sleep, so that nothing that fails to wake the display is missed for long.
+/// The longest sleep, which limits the delay of anything that does not wake the display.
 const LONGEST_SLEEP: Duration = Duration::from_secs(1);
 
-/// Runs a program in the terminal until it has ended. Ctrl+C closes it. The terminal is as it was before when this
-/// returns, fails or panics.
+/// Runs a program in the terminal until it has ended. Ctrl+C closes it. The terminal is restored on return, error or
+/// panic.
 ///
 /// # Errors
-/// [`TerminalError`] when there is no terminal, it goes away, or a signal ends the process; the program has been
-/// told that it is being closed.
+/// [`TerminalError`] if there is no terminal, if it disappears, or if a signal ends the process. The program has then
+/// been told that it is being closed.
 pub fn in_terminal(program: &mut dyn TextProgram) -> Result<(), TerminalError> {
     let shown = Lines::open().and_then(|mut lines| run(program, &mut lines));
     if shown.is_err() {
@@ -43,7 +43,7 @@ fn run(program: &mut dyn TextProgram, lines: &mut Lines) -> Result<(), TerminalE
                 LineEvent::Wheel(steps) => program.event(TextEvent::Wheel(steps)),
                 LineEvent::Close => program.event(TextEvent::Close),
                 LineEvent::Click(column, row) => {
-                    // What is hit is what is seen now, not what an event before this one may have opened.
+                    // The click belongs to the page that was visible, not to one that an earlier event has opened.
                     if let Some(hit) = page.hit(area, column, row) {
                         program.event(TextEvent::Click(hit));
                     }

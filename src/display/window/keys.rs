@@ -1,5 +1,4 @@
-//! Keys of a window as programs see them: characters as the user's layout types them, everything else
-//! by its name.
+//! Maps keys of a window to keys of programs: characters follow the user's layout, other keys their names.
 
 use crate::machine::Key;
 use winit::keyboard::{Key as Logical, KeyCode, ModifiersState, NamedKey, PhysicalKey, SmolStr};
@@ -34,7 +33,7 @@ const NAMED: [(NamedKey, Key); 26] = [
     (NamedKey::F12, Key::F(12)),
 ];
 
-/// The Latin letter on a key of a layout that has other letters there, for Ctrl.
+/// The Latin letter of a key on a non-Latin layout, for use with Ctrl.
 const LATIN: [(KeyCode, char); 26] = [
     (KeyCode::KeyA, 'A'),
     (KeyCode::KeyB, 'B'),
@@ -68,7 +67,7 @@ fn find<A: PartialEq, B: Copy>(table: &[(A, B)], wanted: &A) -> Option<B> {
     table.iter().find(|(known, _)| known == wanted).map(|&(_, found)| found)
 }
 
-/// A key that went down or repeats.
+/// A key press or repeat.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
     pub(super) logical: Logical,
@@ -78,10 +77,10 @@ pub(super) struct Stroke {
 }
 
 impl Stroke {
-    /// The keys of the stroke: one as a rule, none for a key that types nothing, several where a dead
-    /// key did not combine.
+    /// The keys of the stroke: usually one, none for a key that types nothing, several where a dead key did not
+    /// combine.
     pub(super) fn keys(&self) -> Vec<Key> {
-        // Ctrl and Alt together are how some systems tell AltGr, which types characters.
+        // Some systems report AltGr, which types characters, as Ctrl and Alt together.
         let ctrl = self.modifiers.control_key() && !self.modifiers.alt_key();
         let named = match &self.logical {
             Logical::Named(name) => find(&NAMED, name),

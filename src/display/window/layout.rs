@@ -1,11 +1,11 @@
-//! Where the picture lies in a window, and its pixels as the window wants them.
+//! The place of the picture in a window, and its conversion to the window's pixel format.
 //!
-//! The picture is magnified by the largest whole factor that fits and stands in the middle of black
-//! margins. Only a window smaller than the picture shows it reduced, so that nothing is out of reach.
+//! The picture is magnified by the largest integer factor that fits and centred between black margins. A window
+//! smaller than the picture shows it reduced, so that all of it can be reached.
 
 use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 
-/// Width and height of the picture as a window counts.
+/// Width and height of the picture as unsigned numbers.
 const PICTURE: (usize, usize) = (WIDTH as usize, HEIGHT as usize);
 
 /// A window's size and the place of the picture in it, in the window's pixels.
@@ -30,8 +30,7 @@ impl Layout {
         Layout { window, shown, corner: ((window.0 - shown.0) / 2, (window.1 - shown.1) / 2) }
     }
 
-    /// The pixel of the picture under a place of the window; a place outside of the picture belongs to
-    /// the picture's nearest pixel.
+    /// The pixel of the picture under a point of the window; outside the picture, the nearest one.
     pub(super) fn pixel_at(&self, x: f64, y: f64) -> (i32, i32) {
         let along = |place: f64, corner: usize, shown: usize, size: usize| {
             let pixel = (place - corner as f64) * size as f64 / shown as f64;
@@ -41,13 +40,12 @@ impl Layout {
         (along(x, self.corner.0, self.shown.0, PICTURE.0), along(y, self.corner.1, self.shown.1, PICTURE.1))
     }
 
-    /// Whether a place lies in the window.
+    /// Whether a point lies in the window.
     pub(super) fn holds(&self, x: f64, y: f64) -> bool {
         x >= 0.0 && y >= 0.0 && x < self.window.0 as f64 && y < self.window.1 as f64
     }
 
-    /// Paints the window: one number 0RGB a pixel, row by row. Does nothing to `pixels` of another size
-    /// than the layout's.
+    /// Paints the window into `pixels`, row by row as 0x00RRGGBB. A buffer of another size is left alone.
     pub(super) fn paint(&self, picture: &Screen, palette: Palette, pixels: &mut [u32]) {
         if pixels.len() != self.window.0 * self.window.1 {
             return;
@@ -63,7 +61,7 @@ impl Layout {
             let source = row * PICTURE.1 / self.shown.1;
             let start = (self.corner.1 + row) * self.window.0 + self.corner.0;
             match painted {
-                // The rows of a magnified pixel are alike.
+                // All rows of a magnified pixel are equal.
                 Some((same, from)) if same == source => {
                     pixels.copy_within(from..from + self.shown.0, start);
                 }
@@ -81,7 +79,7 @@ impl Layout {
     }
 }
 
-/// The largest size of the picture's proportions in a window that is smaller than the picture.
+/// The largest size with the picture's aspect ratio that fits into a window smaller than the picture.
 fn reduced(window: (usize, usize)) -> (usize, usize) {
     if window.0 * PICTURE.1 <= window.1 * PICTURE.0 {
         (window.0, (window.0 * PICTURE.1 / PICTURE.0).max(1))

@@ -1,4 +1,4 @@
-//! What the editors ask: a point's number, a number of its own, the curve's form and method.
+//! Questions of the curve editors: the number of a point, other numbers, the form and method of the curve.
 
 use crate::file::Method;
 use crate::machine::{Asked, Key, Stop};
@@ -22,7 +22,7 @@ pub(in crate::editor) const METHODS: [Button; 4] = [
     Button::new(120, 38, words::B_SPLINE),
 ];
 
-/// Asks for a point's number and gives its index; zero and less are as good as Esc.
+/// Asks for the number of a point and returns its index. Zero or less cancels, like Esc.
 pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
     let field = Field {
         area: Area::new(330, 19, 361, 32),
@@ -35,8 +35,8 @@ pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Pict
     (number as usize).checked_sub(1).ok_or(Stop::Cancelled)
 }
 
-/// As [`ask_index`], but only for one of `count` points that there are. If there is none, it says so, and the
-/// command is over.
+/// Like [`ask_index`], but for one of the `count` existing points. If there is no such point, it says so and cancels
+/// the command.
 pub(in crate::editor) async fn ask_existing(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,
@@ -54,7 +54,7 @@ pub(in crate::editor) async fn ask_existing(
     Ok(index)
 }
 
-/// Asks for one number with a fraction on the page at the top, with its caption at a place.
+/// Asks for a decimal number on the page at the top, with a caption at a given place.
 pub(in crate::editor) async fn ask_real(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,
@@ -82,7 +82,7 @@ pub(in crate::editor) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Pi
     })
 }
 
-/// Waits for a method button and asks for what the method needs: the coefficient of the tangents, if any.
+/// Waits for a method button, then asks for the coefficient of the tangents if the method has one.
 pub(in crate::editor) async fn ask_method(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,

@@ -1,5 +1,4 @@
-//! The beta-spline's shape in the curve editors (chapter 2.3.7): its bias and tension, the buttons and
-//! questions that change them, and their display.
+//! Bias and tension of beta-splines in the curve editors (chapter 2.3.7): buttons, questions and display.
 
 use super::ask::ask_real;
 use crate::geometry::Shape;
@@ -8,9 +7,9 @@ use crate::screen::{Color, Screen};
 use crate::ui::{Desk, Picture, words};
 use std::ops::RangeInclusive;
 
-/// What the bias may be.
+/// Range of the bias.
 pub(in crate::editor) const BIAS: RangeInclusive<f64> = 0.05..=20.0;
-/// What the tension may be: four characters can be typed, and nothing is too much.
+/// Range of the tension: everything that four characters can express.
 pub(in crate::editor) const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// Asks for the bias.

@@ -1,4 +1,4 @@
-//! The commands of the curve editors that ask for something, and what stands beside the communication page.
+//! Commands of the curve editors that ask questions, and what is shown beside the communication page.
 
 use super::ask::{FEWEST, METHODS, ask_closure, ask_method};
 use super::tables::Action;
@@ -68,7 +68,7 @@ where
         sketch.settings.closed = Some(ask_closure(desk, self).await?);
         let mut note = None;
         match self.craft.tools.implied() {
-            // The method is the program's; what else the document has named, gives way to it.
+            // The program's method replaces the one that the document names.
             Some(method) => sketch.settings.method = sketch.settings.method.map(|_| method),
             None => {
                 let (method, k0) = ask_method(desk, self).await?;
@@ -91,7 +91,7 @@ where
         Ok(())
     }
 
-    /// The key F3: lets the curve follow changes or not, and says so.
+    /// The key F3: switches whether the curve follows changes, and says so.
     fn toggle_follow(&mut self, desk: &mut Desk<'_>) {
         let shown = &mut self.shown;
         shown.follow = !shown.follow;
@@ -99,7 +99,7 @@ where
         desk.tell(if shown.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
     }
 
-    /// What stands left of the communication page and on it.
+    /// Draws what is shown on the communication page and to its left.
     pub(super) fn draw_titles(&self, page: &mut Page<'_>) {
         let note = self.craft.note.as_deref().unwrap_or("");
         let language = page.language;

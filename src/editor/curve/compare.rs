@@ -11,7 +11,7 @@ use crate::ui::words;
 use crate::ui::{Area, Desk, Over, TOP};
 use serde::Serialize;
 
-/// A kind of curve that can be laid beside others to compare them.
+/// A kind of curve that can be compared with others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Kind {
@@ -23,7 +23,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// Every kind with the name it is listed by and its colour.
+    /// Every kind with its name in the list and its colour.
     pub(super) const ALL: [(Kind, &'static str, Color); 5] = [
         (Kind::Coons, "Coons", Color::LightRed),
         (Kind::Bezier, "Bézier", Color::LightGreen),

@@ -1,5 +1,5 @@
-//! The shapes of single joints, which the book proposes (2.68) and its program does not have, and the
-//! common shape of all of them.
+//! Bias and tension of single joints, which the book proposes (2.68) but its program lacks, and of all joints in
+//! common.
 
 use super::{Ambient, Curves, beta};
 use crate::design::{Place, Sketch};
@@ -57,12 +57,12 @@ where
         desk.tell(words::JOINTS_ALIKE, Stay::Briefly);
     }
 
-    /// The shapes of the joints that have one of their own, written beside them.
+    /// Writes the shapes of joints that have their own beside them.
     pub(super) fn draw_joint_shapes(&self, page: &mut Page<'_>) {
         let sketch = self.drawn();
         let points = self.stage != Stage::Result { points: false };
         let Some(joints) = sketch.joints.as_ref().filter(|_| points) else { return };
-        // Without a curve there are no joints to see yet: the values stand at the control point.
+        // Without a curve no joints are shown; the values are written at the control point.
         let marks = sketch.curve().ok().filter(|_| self.shown.known).map(|curve| curve.joints());
         let marks = marks.unwrap_or_default();
         for (index, (shape, &point)) in joints.iter().zip(&sketch.points).enumerate() {

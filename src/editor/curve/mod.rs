@@ -36,19 +36,19 @@ use compare::Kind;
 use serde::Serialize;
 use tables::Action;
 
-/// The curves that a program offers.
+/// The kinds of curve that a program offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tools {
     /// Coons-Hermite, Bézier, spline, quadratic and cubic B-spline.
     Methods,
-    /// Coons-Hermite curves with tangents of the user's own.
+    /// Coons-Hermite curves with tangents set by the user.
     Tangents,
     /// The beta-spline with bias and tension.
     Beta,
 }
 
 impl Tools {
-    /// The method that the program draws by, if it has only one.
+    /// The method of a program that has only one.
     fn implied(self) -> Option<Method> {
         match self {
             Tools::Methods => None,
@@ -58,36 +58,36 @@ impl Tools {
     }
 }
 
-/// Makes the editor of plane curves ready, with a document that was named at the start or none.
+/// Prepares the editor of plane curves, with or without a document to open.
 ///
 /// # Errors
-/// Why it cannot work with the document.
+/// The reason why it cannot open the document.
 pub fn plane(manual: Manual, tools: Tools, document: Option<Document>) -> Result<Start, Phrase> {
     super::start(Curves::<2>::new(tools), manual, document)
 }
 
-/// Makes the editor of curves in space ready, with a document that was named at the start or none.
+/// Prepares the editor of curves in space, with or without a document to open.
 ///
 /// # Errors
-/// Why it cannot work with the document.
+/// The reason why it cannot open the document.
 pub fn space(manual: Manual, tools: Tools, document: Option<Document>) -> Result<Start, Phrase> {
     super::start(Curves::<3>::new(tools), manual, document)
 }
 
-/// What the editors of curves have of their own.
+/// The [`Craft`] of curves.
 struct Curves<const D: usize> {
     tools: Tools,
     /// The method of documents that name none, in the manner of today.
     usual: Option<Method>,
     /// Curves that are shown besides the chosen one.
     compared: Vec<Kind>,
-    /// Whether the points are looked at as measured ones: an open row, without the chosen curve.
+    /// Whether the points are shown as measured ones: open, without the chosen curve.
     measured: bool,
-    /// The point that is about to be changed.
+    /// The point being changed.
     pointed_out: Option<usize>,
-    /// What the screen says about the last choice until the next question.
+    /// The remark about the last choice, shown until the next question.
     note: Option<String>,
-    /// The stage in which automatic tangents are to be offered: as in the original at the start, and after every
+    /// The stage in which automatic tangents are offered. As in the original, that is at the start and after every
     /// action with an empty store.
     offer: Option<Stage>,
 }
@@ -109,11 +109,11 @@ impl<const D: usize> Curves<D> {
 /// What differs between the plane and space.
 trait Ambient<const D: usize>: Sized {
     type Lens: Lens<D> + 'static;
-    /// From where new points are taken.
+    /// Where new points are taken from.
     const STORE: Option<Point<D>>;
-    /// What the discs of control points are filled with.
+    /// The fill colour of control points.
     const FILL: Color;
-    /// Whether a curve that has gone comes back while a point is held.
+    /// Whether a curve that has disappeared is shown again while a point is dragged.
     const LIVE: bool;
     fn lens() -> Self::Lens;
     fn format(tools: Tools) -> Format;
@@ -139,7 +139,7 @@ trait Ambient<const D: usize>: Sized {
     fn angles(_: &Self::Lens) -> Option<[f64; 3]> {
         None
     }
-    /// What stands in the picture and on the frame.
+    /// Draws the layers that differ.
     fn draw(editor: &Editor<Curves<D>, D>, layer: Layer, page: &mut Page<'_>)
     where
         Curves<D>: Craft<D>;
@@ -148,7 +148,7 @@ trait Ambient<const D: usize>: Sized {
 /// What the mouse can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Handle {
-    /// A control point; the one behind the last is the store's.
+    /// A control point; the index after the last is the store's.
     Point(usize),
     /// The tip of the tangent at a point.
     Tip(usize),
@@ -180,7 +180,7 @@ struct Model<P> {
     zoom: Option<f64>,
 }
 
-/// Steps that a span is drawn in, as fine as the original's.
+/// Segments per span, as many as in the original.
 fn steps(method: Method) -> usize {
     match method {
         Method::Bezier => 100,
@@ -212,7 +212,7 @@ where
         <Self as Ambient<D>>::lens()
     }
 
-    /// Without points; the parameters survive, as in the original.
+    /// Without points; the parameters are kept, as in the original.
     fn fresh(&self, before: Option<&Sketch<D>>) -> Sketch<D> {
         let tangents = (self.tools == Tools::Tangents).then(Vec::new);
         let mut sketch = Sketch { tangents, ..Sketch::default() };
@@ -299,7 +299,7 @@ where
         }
     }
 
-    /// A point outside the field goes.
+    /// A point dropped outside the field is deleted.
     fn moved(sketch: &Sketch<D>, handle: Handle, at: Point<D>) -> Sketch<D> {
         let count = sketch.points.len();
         match (handle, at.fits()) {
@@ -314,7 +314,7 @@ where
         }
     }
 
-    /// Points before tips; the store's point is the one behind the last.
+    /// Points come before tips; the point in the store comes after the last one.
     fn handle_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Handle> {
         let (sketch, lens) = (editor.history.now(), &editor.lens);
         if Self::STORE.is_some_and(|store| on_disc(lens.pixel(store), at)) && !sketch.full() {
@@ -410,7 +410,7 @@ where
         Ok(true)
     }
 
-    /// As in the original, the curve is gone from the editor's picture after this.
+    /// As in the original, the curve then disappears from the picture.
     async fn end_result(editor: &mut Editor<Self, D>, _: &mut Desk<'_>) -> Asked<()> {
         editor.shown.after_change();
         editor.forget_note();
@@ -528,7 +528,7 @@ impl Ambient<3> for Curves<3> {
         Some(lens.look.angles())
     }
 
-    /// The line under the picture: the place of the point that is held or about to be changed.
+    /// The line under the picture: the place of the point being dragged or changed.
     fn draw(editor: &Editor<Curves<3>, 3>, layer: Layer, page: &mut Page<'_>) {
         let held = editor.held.map(|held| held.handle);
         let (Layer::Frame, Some(Handle::Point(index))) =

@@ -30,12 +30,12 @@ where
         self.history.now().points.len()
     }
 
-    /// What the curve is drawn by.
+    /// The sketch that the curve is drawn from.
     pub(super) fn method(&self) -> Option<Method> {
         self.history.now().method().or(self.craft.tools.implied()).or(self.craft.usual)
     }
 
-    /// The sketch as it would be if what is held were dropped now, with the method of the program.
+    /// The sketch with the dragged handle dropped at the mouse, with the method of the program.
     pub(super) fn drawn(&self) -> Sketch<D> {
         let sketch = self.preview();
         match sketch.method().or(self.craft.tools.implied()) {
@@ -109,7 +109,7 @@ where
         self.forget_note();
     }
 
-    /// Takes away what the communication page says; beside it, the coefficient of tangents stays.
+    /// Clears the communication page; the coefficient of tangents beside it stays.
     pub(super) fn forget_note(&mut self) {
         if self.craft.tools != Tools::Tangents {
             self.craft.note = None;
@@ -123,8 +123,8 @@ where
         open.settings.closed = open.settings.closed.filter(|_| !self.craft.measured);
         let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
         for (index, (kind, name, color)) in compared.enumerate() {
-            // A curve that does not exist is not drawn; it was told when it was chosen. The names stand
-            // apart, each at its own part of its curve.
+            // A curve that does not exist is skipped; the user was told when choosing it. Each name is at another
+            // fraction of its curve, so that the names stand apart.
             if let Ok(curve) = open.by(kind.method()).curve() {
                 let name = Some(Label { name, part: [2 * index + 1, 2 * Kind::ALL.len()] });
                 items.push(Item::Curve { curve, steps: steps(kind.method()), color, name });
@@ -159,7 +159,7 @@ where
             .collect();
         let dots = self.stage.is_result() && Curves::<D>::STORE.is_none();
         for index in self.lens.order(&points) {
-            // The indices are those of these points.
+            // The indices come from these points.
             let Some(&at) = points.get(index) else { continue };
             items.push(match dots {
                 true => Item::Dot(at),
@@ -192,8 +192,8 @@ where
         Ok(())
     }
 
-    /// The command V: another number or another place for a point; where there are tangents, it asks first what
-    /// of the point changes.
+    /// The command V: a new number or place for a point. With tangents, it first asks whether the point or its
+    /// tangent changes.
     pub(super) async fn change_point(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let index = ask_existing(desk, self, self.count()).await?;
         if self.history.now().tangents.is_some() && self.craft.tools == Tools::Tangents {

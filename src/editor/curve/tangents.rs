@@ -1,5 +1,5 @@
-//! The tangents of GB_2D_CH: their tips on the screen, their length and direction by number, and the
-//! automatic ones that the original offers after every action.
+//! The tangents of GB_2D_CH: dragged by their tips, set by length and angle, or computed, which the original
+//! offers after every action.
 
 use super::ask::{FEWEST, ask_closure, ask_coefficient};
 use super::{Ambient, Curves, Tools};
@@ -17,7 +17,7 @@ where
     Curves<D>: Ambient<D>,
     Point<D>: Place + Serialize,
 {
-    /// Asks whether the tangents shall be computed, as the original does after every action.
+    /// Asks whether to compute the tangents.
     pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.craft.tools != Tools::Tangents || self.count() < FEWEST {
             return Ok(());
@@ -59,7 +59,7 @@ impl Editor<Curves<2>, 2> {
         let form = tangent_form(words::TANGENT_LENGTH, (212, 30), length.round(), 999);
         let [longer] = desk.numbers(self, &form).await?;
         let factor = longer / length;
-        // A tangent without a direction gets one to the right.
+        // A zero tangent gets the direction of positive x.
         Ok(if length < 1.0 { [longer, 0.0] } else { [x * factor, y * factor] })
     }
 
@@ -78,7 +78,7 @@ impl Editor<Curves<2>, 2> {
     }
 }
 
-/// The page that asks for a whole number from 0 on and says what it is now.
+/// The page that asks for a whole number, at least 0, and shows the present value.
 fn tangent_form(title: Words, now_at: (i32, i32), now: f64, largest: i32) -> Form<1> {
     let captions = vec![
         Caption::new((285, 10), title),

@@ -1,5 +1,5 @@
-//! The workshop of section 2.3.8: the present points as measured ones, the curves that the section
-//! compares on them, and the points smoothed by a B-spline and a Bézier curve.
+//! The workshop of section 2.3.8: treats the control points as measured points, compares the curves of that section
+//! on them, and smooths them by a B-spline and a Bézier curve.
 
 use super::ask::FEWEST;
 use super::compare::Kind;
@@ -15,14 +15,14 @@ use crate::ui::words;
 use crate::ui::{Desk, Picture, Stay, TOP, page};
 use serde::Serialize;
 
-// What has a curve can be smoothed.
+// Points that have a curve can be smoothed.
 const _: () = assert!(FEWEST >= FEWEST_MEASURED);
 
-/// The curves that are shown together.
+/// The compared curves.
 const COMPARED: [Kind; 3] = [Kind::Spline, Kind::Bezier, Kind::BSpline3];
 /// Radius of a smoothed point's disc in pixels.
 const RADIUS: i32 = 3;
-/// Where the lines of the communication page begin.
+/// Left edge of the text on the communication page.
 const LEFT: i32 = 214;
 
 impl<const D: usize> Editor<Curves<D>, D>
@@ -30,8 +30,7 @@ where
     Curves<D>: Ambient<D>,
     Point<D>: Place + Serialize,
 {
-    /// The key F5: shows the curves and the smoothed points; Enter takes these over, Esc leaves all as it
-    /// was.
+    /// The key F5: shows the curves and the smoothed points. Enter adopts the points, Esc changes nothing.
     pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.count() < FEWEST {
             desk.tell(words::TOO_FEW, Stay::Briefly);
@@ -44,7 +43,7 @@ where
                 return Ok(());
             }
         };
-        // Measured points are an open row, whatever the chosen curve is.
+        // Measured points are open, even if the chosen curve is closed.
         let compared = std::mem::replace(&mut self.craft.compared, COMPARED.to_vec());
         self.craft.measured = true;
         let taken = self.look_at(desk, &smoothed).await;
@@ -54,7 +53,7 @@ where
         Ok(())
     }
 
-    /// Shows the workshop until Enter, or Esc, which cancels.
+    /// Shows the workshop until Enter; Esc cancels.
     async fn look_at(&self, desk: &mut Desk<'_>, smoothed: &Smoothed<D>) -> Asked<()> {
         let workshop = Workshop { editor: self, smoothed };
         loop {
@@ -66,10 +65,10 @@ where
         }
     }
 
-    /// Makes the smoothed points the configuration, in whole numbers as the files hold them.
+    /// Replaces the points by the smoothed ones, rounded to integers as the files hold them.
     fn take_over(&mut self, smoothed: &Smoothed<D>) {
         let rounded = smoothed.points.iter().map(|point| point.map(f64::round_ties_even)).collect();
-        // Means of points of the field are in the field, so that they fit.
+        // Averages of points in the field lie in the field, so they fit.
         if let Ok(sketch) = (Sketch { points: rounded, ..self.history.now().clone() }).fitting() {
             self.change(sketch);
         }

@@ -9,34 +9,33 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP, Way};
 use crate::work::read_document;
 
-/// Steps in which the error is measured.
+/// Number of samples for measuring the error.
 const STEPS: usize = 1000;
 
-/// The harmonics that a file has room for.
+/// The number of harmonics a file can hold.
 const MOST: usize = HARMONICS - 1;
 
-/// The closed curve through control points that the coefficients are fitted to.
+/// The closed curve through the control points that is fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shape {
-    /// Straight sides, run through with constant speed.
+    /// The polygon, parametrized by arc length.
     Polygon,
     /// The closed spline of chapter 2.3.5.
     Spline,
 }
 
-/// What the coefficients were fitted to.
+/// The target of a fit.
 pub(super) struct Target {
     /// The file's name and the shape.
     pub(super) name: Phrase,
     /// The curve itself, in the middle of the field.
     pub(super) path: ClosedPath<2>,
-    /// The path as pixels.
+    /// The curve in pixels.
     pub(super) outline: Vec<(i32, i32)>,
 }
 
 impl Target {
-    /// The closed curve of these points, moved into the middle of the field, and made smaller if it
-    /// does not fit there.
+    /// The closed curve of these points, centred in the field and reduced if it does not fit.
     fn new(name: &str, shape: Shape, points: &[Point<2>]) -> Result<Target, GeometryError> {
         let moved: Vec<Point<2>>;
         let path = shape.path(
@@ -49,7 +48,7 @@ impl Target {
                 None => points,
             },
         )?;
-        // The last step comes back to the start.
+        // The last sample is the first one again.
         let outline = (0..=STEPS).map(|j| layout::to_screen(path.eval(j as f64 / STEPS as f64))).collect();
         let words = match shape {
             Shape::Polygon => words::OF_POLYGON,

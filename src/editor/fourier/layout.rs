@@ -1,34 +1,34 @@
-//! Where everything stands on the screen of the Fourier editor.
+//! The layout of the Fourier editor's screen.
 
 use crate::design::fourier::{Coefficient, Column, Quantity};
 use crate::geometry::Point;
 use crate::screen::{Color, Put, Screen};
 use crate::ui::{Area, raised, sunken, window};
 
-/// Where the curve's origin lies on the screen.
+/// The pixel of the curve's origin.
 const ORIGIN: (i32, i32) = (320, 270);
-/// The black field of the curve.
+/// The field of the curve.
 const FIELD: Area = Area::new(124, 70, 514, 470);
-/// How far a fitted curve may reach from the origin in each direction, in pixels.
+/// The largest extent of a fitted curve from the origin in x and y, in pixels.
 pub(super) const REACH: Point<2> = [180.0, 185.0];
 /// Upper and lower edge of the columns.
 const EDGES: (i32, i32) = (70, 470);
 /// Distance of two windows of a column.
 const LINE: i32 = 18;
 
-/// The pixel of a point of the curve. Rounds halves to even, as the original does.
+/// The pixel of a point of the curve, rounded half to even as in the original.
 pub(super) fn to_screen([x, y]: Point<2>) -> (i32, i32) {
-    // Far outside is far enough.
+    // Keeps the number in range; the point is off the screen anyway.
     let pixel = |value: f64| value.round_ties_even().clamp(-30_000.0, 30_000.0) as i32;
     (ORIGIN.0 + pixel(x), ORIGIN.1 - pixel(y))
 }
 
-/// The black ground of the curve.
+/// The black background of the curve.
 pub(super) fn field(screen: &mut Screen) {
     screen.bar(FIELD.x1, FIELD.y1, FIELD.x2, FIELD.y2, Color::Black);
 }
 
-/// Everything around the field: drawn after the curve, so that one that leaves it goes under.
+/// Everything around the field. It is drawn after the curve, so that it covers what leaves the field.
 pub(super) fn surroundings(screen: &mut Screen) {
     let Area { x1, y1, x2, y2 } = Area::new(120, 66, 519, 475);
     screen.bar(0, 0, 639, y1, Color::LightCyan);
@@ -49,8 +49,8 @@ pub(super) fn surroundings(screen: &mut Screen) {
     }
 }
 
-/// The raised panel of a column with its name and empty windows. They all look the same, and there are
-/// many: the first is copied.
+/// The raised panel of a column with its name and empty windows. The many windows look alike, so the first one is
+/// copied.
 pub(super) fn column(screen: &mut Screen, column: Column) {
     let (x1, x2) = edges(column);
     raised(screen, Area::new(x1, EDGES.0, x2, EDGES.1), 2);
@@ -58,7 +58,7 @@ pub(super) fn column(screen: &mut Screen, column: Column) {
     let mut areas = column.numbers().map(|k| area(Coefficient { column, k }));
     let Some(first) = areas.next() else { return };
     window(screen, first);
-    // The window's frame is a pixel higher than its area.
+    // The window's frame reaches one pixel above its area.
     let copy = screen.take(first.x1, first.y1, first.x2, first.y2 + 1);
     areas.for_each(|area| screen.put(area.x1, area.y1, &copy, Put::Copy));
 }
@@ -73,12 +73,12 @@ pub(super) fn area(place: Coefficient) -> Area {
     Area::new(x, y, x + width, y + 12)
 }
 
-/// Where the first character in the window of a coefficient stands.
+/// The place of the first character in a coefficient's window.
 pub(super) fn text_at(place: Coefficient) -> (i32, i32) {
     (edges(place.column).0 + 11, line(place.k) + 23)
 }
 
-/// The coefficient whose window lies at a pixel.
+/// The coefficient whose window contains a pixel.
 pub(super) fn coefficient_at(x: i32, y: i32) -> Option<Coefficient> {
     Coefficient::all().find(|&place| area(place).holds(x, y))
 }

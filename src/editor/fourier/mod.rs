@@ -1,7 +1,6 @@
 //! The editor of plane curves by Fourier coefficients: four columns of windows beside the curve
-//! x(t) = a0 + Σ a_k sin(kt + π p_k), y likewise with b and q (chapter 2.2, equation 2.8). Every change
-//! of a coefficient is seen at once; the coefficients can be fitted to the control points of a stored
-//! plane curve.
+//! x(t) = a0 + Σ a_k sin(kt + π p_k), y likewise with b and q (chapter 2.2, equation 2.8). Changes are seen at
+//! once; the coefficients can be fitted to the control points of a stored plane curve.
 
 mod fitting;
 mod layout;
@@ -26,7 +25,7 @@ use serde::Serialize;
 /// What the screen shows.
 #[derive(Clone, Debug, PartialEq)]
 enum Stage {
-    /// Before there is a configuration: the one before, if there was one.
+    /// Before there is a configuration; shows the previous one, if any.
     Starting(Option<Box<Fourier>>),
     /// Editing.
     Working,
@@ -36,13 +35,13 @@ enum Stage {
 struct Editor {
     history: History<Fourier>,
     stage: Stage,
-    /// The coefficient that the keys change: the last one that had to do with anything.
+    /// The coefficient that the keys change: the last one used.
     chosen: Coefficient,
-    /// The chosen coefficient while it is shown with all its digits.
+    /// The coefficient that is shown with all its digits.
     marked: Option<Coefficient>,
-    /// The number that is being typed for the chosen coefficient.
+    /// The number being typed for the chosen coefficient.
     typing: Option<Entry>,
-    /// The coefficient whose steps are the last change, which further ones belong to.
+    /// The coefficient that was last changed by steps; further steps join that change.
     stepping: Option<Coefficient>,
     target: Option<Target>,
 }
@@ -99,16 +98,16 @@ const COMMANDS: Commands<Action> = Commands(&[
 /// The help page; a program adds no keys.
 pub const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
-/// Makes the editor ready as a program, with a document that was named at the start or none.
+/// Prepares the editor, with or without a document to open.
 ///
 /// # Errors
-/// Why it cannot work with the document.
+/// The reason why it cannot open the document.
 pub fn start(manual: Manual, document: Option<Document>) -> Result<Start, Phrase> {
     document.as_ref().map_or(Ok(()), check)?;
     Ok(Box::new(move |machine| Box::pin(run(machine, manual, document))))
 }
 
-/// Runs the editor as a program, with a document that was named at the start or none.
+/// Runs the editor, with or without a document to open.
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed and nothing is left to save.
@@ -184,7 +183,7 @@ impl Work for Editor {
             if self.type_on(&tick) || self.wheel(&tick) {
                 continue;
             }
-            // Esc first takes back what is marked.
+            // Esc first removes the mark.
             let busy = self.marked.is_some() || self.target.is_some();
             if common_key(self, desk, tick.key().filter(|key| !busy || *key != Key::Esc)).await? {
                 self.marked = None;
@@ -231,18 +230,18 @@ impl Editor {
         }
     }
 
-    /// Takes up coefficients that need no saving.
+    /// Replaces the coefficients by ones that need no saving.
     fn load(&mut self, fourier: Fourier) {
         *self = Editor { history: History::new(fourier), stage: self.stage.clone(), ..Editor::new() };
     }
 
-    /// Makes new coefficients the present ones, as a change of its own.
+    /// Commits new coefficients as one change.
     fn change(&mut self, fourier: Fourier) {
         self.history.change(fourier);
         self.stepping = None;
     }
 
-    /// Changes a coefficient by steps. Steps of the same one in a row are undone together.
+    /// Changes a coefficient by steps. Consecutive steps of one coefficient are undone together.
     fn step(&mut self, place: Coefficient, steps: i32) {
         let stepped = place.stepped(self.history.now(), steps);
         if self.stepping == Some(place) {
@@ -266,8 +265,8 @@ impl Editor {
         self.typing = Some(Entry::new(layout::area(place), layout::text_at(place), width, Accepts::Number));
     }
 
-    /// Takes what is typed into a window; whether the event was for it. A click elsewhere ends it with
-    /// what has been typed, if that is a number; other keys end it without.
+    /// Handles typing in a window; returns whether the event was for it. A click elsewhere accepts the text if it is
+    /// a number; other keys discard it.
     fn type_on(&mut self, tick: &Tick) -> bool {
         let Some(entry) = &mut self.typing else { return false };
         match tick.key() {
@@ -275,7 +274,7 @@ impl Editor {
                 Typed::On => {}
                 Typed::Done if self.take() => self.end_typing(),
                 Typed::Done => {
-                    // Asked again, as in the original.
+                    // The original asks again.
                     let place = self.chosen;
                     self.begin(place);
                 }
@@ -295,7 +294,7 @@ impl Editor {
         true
     }
 
-    /// Gives the chosen coefficient the typed value, moved into its range; `false` if it is no number.
+    /// Sets the chosen coefficient to the typed value, clamped to its range; `false` if it is not a number.
     fn take(&mut self) -> bool {
         let range = Number::Real(self.chosen.column.quantity().range());
         let value = self.typing.as_ref().and_then(|entry| range.read(&entry.text));
@@ -310,7 +309,7 @@ impl Editor {
         self.marked = None;
     }
 
-    /// Turns the value under the mouse with the wheel; whether it was that.
+    /// Changes the value under the mouse with the wheel; returns whether the event was that.
     fn wheel(&mut self, tick: &Tick) -> bool {
         let Some(Event::Wheel(steps)) = tick.event else { return false };
         self.typing = None;
@@ -330,7 +329,7 @@ impl Editor {
         COMMANDS.find(tick)
     }
 
-    /// Asks for a coefficient by name and number. A click on a window answers too.
+    /// Asks for a coefficient by name and number; a click on a window answers too.
     async fn ask_coefficient(&mut self, desk: &mut Desk<'_>) -> Asked<Coefficient> {
         self.marked = None;
         let windows = [Area::new(360, 10, 383, 23), Area::new(360, 28, 383, 41)];

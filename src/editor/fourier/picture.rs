@@ -1,4 +1,4 @@
-//! The picture of the Fourier editor: the model as pixels, changing nothing.
+//! Draws the Fourier editor.
 
 use super::{COMMANDS, Editor, Stage, layout};
 use crate::design::fourier::{Coefficient, Column, curve};
@@ -9,7 +9,7 @@ use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Picture, TOP, page};
 
-/// Steps in which the curve is drawn.
+/// Number of segments of the drawn curve.
 const STEPS: usize = 1000;
 
 impl Picture for Editor {
@@ -42,7 +42,7 @@ impl Picture for Editor {
 }
 
 impl Editor {
-    /// The coefficients of the curve in the picture.
+    /// The coefficients of the drawn curve.
     fn shown(&self) -> Option<&Fourier> {
         match &self.stage {
             Stage::Starting(before) => before.as_deref(),
@@ -50,13 +50,13 @@ impl Editor {
         }
     }
 
-    /// The curve, over the one that it was fitted to.
+    /// The curve on top of the one it was fitted to.
     fn draw_field(&self, screen: &mut Screen, fourier: &Fourier) {
         layout::field(screen);
         if let Some(target) = &self.target {
             screen.polyline(&target.outline, Stroke::thin(Color::LightRed));
         }
-        // Coefficients without a curve are refused when a file is opened, and cannot be typed.
+        // Coefficients without a curve are refused when a file is opened and cannot be typed.
         if let Ok(points) = curve(fourier).and_then(|curve| curve.polyline(STEPS)) {
             let pixels: Vec<_> = points.into_iter().map(layout::to_screen).collect();
             screen.polyline(&pixels, Stroke::thick(Color::White));
@@ -91,7 +91,7 @@ impl Editor {
     }
 }
 
-/// A distance in pixels with two decimals, or as a power of ten when it is very long.
+/// A distance in pixels with two decimals, or in scientific notation when it is very long.
 fn short(distance: f64) -> String {
     if distance < 1e5 { format!("{distance:.2}") } else { format!("{distance:.1e}") }
 }

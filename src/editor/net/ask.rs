@@ -1,5 +1,5 @@
-//! What the surface editor asks: a control point by its two digits, a part of a Hermite patch, a direction,
-//! an axis, how the surface is drawn.
+//! Questions of the surface editor: a control point, a part of a Hermite patch, a direction, an axis, wires or
+//! filled cells.
 
 use super::Nets;
 use super::surface::Display;
@@ -18,7 +18,7 @@ use crate::ui::{
 const DIGITS: [Area; 2] = [Area::new(360, 10, 383, 23), Area::new(360, 28, 383, 41)];
 
 impl Part {
-    /// What the page and the line under the picture call it.
+    /// Its name on the page and under the picture.
     pub(super) fn title(self) -> Words {
         match self {
             Part::Place => words::PLACE_3D,
@@ -30,7 +30,7 @@ impl Part {
 }
 
 impl Editor<Nets, 3> {
-    /// Asks for a control point: its two numbers, which are digits where the net is small.
+    /// Asks for a control point by its two indices, which are single digits for small nets.
     pub(super) async fn ask_index(&self, desk: &mut Desk<'_>) -> Asked<Index> {
         let counts = self.history.now().choices();
         if counts.iter().any(|&count| count > 10) {
@@ -76,7 +76,7 @@ impl Editor<Nets, 3> {
         Ok(numbers.map(|number| number as usize))
     }
 
-    /// Asks what of a Hermite patch's corner shall change.
+    /// Asks what to change at a corner of a Hermite patch.
     pub(super) async fn ask_part(&self, desk: &mut Desk<'_>) -> Asked<Part> {
         let choices = Choices {
             place: TOP,
@@ -115,8 +115,7 @@ impl Editor<Nets, 3> {
         desk.choose(self, &choices).await
     }
 
-    /// Asks for the degree and how the surface is drawn. The first page stays on the
-    /// screen under the second one.
+    /// Asks for the degree, then for wires or filled cells. The first page stays visible under the second.
     pub(super) async fn ask_degree_and_display(&self, desk: &mut Desk<'_>) -> Asked<(Method, Display)> {
         let degree = ask_degree(desk, self).await?;
         let page = Question::new(MIDDLE, words::ASK_DEGREE, [words::TWO, words::THREE]).choices();
@@ -128,7 +127,7 @@ impl Editor<Nets, 3> {
     }
 }
 
-/// Asks how the surface is drawn.
+/// Asks for wires or filled cells.
 pub(super) async fn ask_display(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Display> {
     let question = Question::new(TOP, words::ASK_DISPLAY, [words::WIRE, words::FILLED]);
     Ok(match desk.ask(picture, &question).await? {

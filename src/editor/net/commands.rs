@@ -18,9 +18,9 @@ use crate::work::{Next, quit};
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
-/// What the coefficient of the tangents may be.
+/// Range of the coefficient of the tangents.
 const K0: RangeInclusive<f64> = 0.0..=1.0;
-/// Where the captions of the parameters stand.
+/// Places of the parameters' captions.
 const ENTRY: (i32, i32) = (232, 26);
 
 impl Editor<Nets, 3> {
@@ -80,7 +80,7 @@ impl Editor<Nets, 3> {
         Ok(Next::Work)
     }
 
-    /// Takes another net; a surface that is in the picture stays there and follows.
+    /// Commits another net; a surface in the picture follows it.
     fn change_surface(&mut self, desk: &mut Desk<'_>, design: NetDesign) {
         self.history.change(design);
         if self.craft.drawn.is_some() {
@@ -98,7 +98,7 @@ impl Editor<Nets, 3> {
         NetDesign { net: Net { points, ..now.net.clone() }, ..now.clone() }.fitting().map_err(why)
     }
 
-    /// Takes the surface of the net as it is now into the picture; says why if there is none.
+    /// Shows the surface of the present net; if there is none, says why.
     pub(super) fn refresh(&mut self, desk: &mut Desk<'_>) -> bool {
         let drawn = self.craft.draw_up(self.history.now());
         self.shown.known = drawn.is_ok();
@@ -111,7 +111,7 @@ impl Editor<Nets, 3> {
         self.shown.known
     }
 
-    /// The command V: another place for a control point, chosen by number or already.
+    /// The command V: a new place for a control point, chosen by number or beforehand.
     pub(super) async fn change(&mut self, desk: &mut Desk<'_>, index: Option<Index>) -> Asked<()> {
         Nets::changed(self);
         let index = match index {
@@ -125,7 +125,7 @@ impl Editor<Nets, 3> {
         Ok(())
     }
 
-    /// Asks for another value of a control point.
+    /// Asks for a new value of a control point.
     async fn ask_change(&mut self, desk: &mut Desk<'_>, index: Index) -> Asked<NetDesign> {
         let part = match self.craft.plan.family {
             Family::Hermite => self.ask_part(desk).await?,
@@ -140,7 +140,7 @@ impl Editor<Nets, 3> {
         Ok(self.history.now().with_part(index, part, value))
     }
 
-    /// The command F: the surface instead of the net.
+    /// The command F: shows the surface instead of the net.
     async fn show_surface(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         match self.craft.plan.family {
             Family::Heights => {}
@@ -156,7 +156,7 @@ impl Editor<Nets, 3> {
         Ok(())
     }
 
-    /// Asks for a direction and a parameter there.
+    /// Asks for a direction and the value of a parameter in it.
     async fn ask_parameter(
         &mut self,
         desk: &mut Desk<'_>,

@@ -1,5 +1,5 @@
-//! Looking closer at a surface: zebra stripes, which break where the surface does, its Gaussian curvature,
-//! and a section by a plane.
+//! Inspection of surfaces: zebra stripes, which show breaks of continuity, Gaussian curvature, and sections by a
+//! plane.
 
 use super::Nets;
 use super::surface::{Drawn, draw_cells};
@@ -10,11 +10,11 @@ use crate::screen::{Color, Screen};
 use crate::ui::look::Look;
 use crate::ui::{Desk, Stay, words};
 
-/// What colours tell.
+/// What colours show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Inspection {
     Off,
-    /// Isophotes: stripes of equal angle between the normal and the direction to the viewer.
+    /// Isophotes: bands of equal angle between the normal and the direction to the viewer.
     Zebra,
     /// Blue where the surface is a saddle, red where it is a dome, grey where it is flat.
     Curvature,
@@ -30,7 +30,7 @@ impl Inspection {
     }
 }
 
-/// A plane across an axis.
+/// A plane perpendicular to an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Section {
     /// 0 is x, 1 is y, 2 is z.
@@ -38,13 +38,13 @@ pub(super) struct Section {
     offset: f64,
 }
 
-/// How far + and - move the plane.
+/// Distance by which + and - move the plane.
 const STEP: f64 = 10.0;
-/// Cells of a net's cell that colours are told by.
+/// Coloured cells per cell of the net, in each direction.
 const FINE: usize = 28;
-/// The most cells along a direction of the whole surface.
+/// Largest number of coloured cells along one direction.
 const MOST_CELLS: usize = 256;
-/// Stripes from the middle of the surface to its rim.
+/// Number of stripes from the middle of the surface to its silhouette.
 const STRIPES: f64 = 12.0;
 
 /// Colours of negative curvature from strong to weak, of none, and of positive curvature from weak to strong.
@@ -53,7 +53,7 @@ const FLAT: Color = Color::DarkGray;
 const DOME: [Color; 4] = [Color::Brown, Color::Yellow, Color::Red, Color::LightRed];
 
 impl Editor<Nets, 3> {
-    /// Switches inspection and section, and moves the plane. Whether the event was for that.
+    /// Switches inspection and section, and moves the plane; returns whether the event was for that.
     pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
         match tick.key() {
             Some(Key::F(5)) => {
@@ -91,7 +91,7 @@ impl Section {
         format!("{} = {}", ["x", "y", "z"][self.axis.min(2)], self.offset)
     }
 
-    /// Where the plane cuts a surface.
+    /// The section of a surface by the plane.
     pub(super) fn lines(self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
         let mut normal = [0.0; 3];
         normal[self.axis.min(2)] = 1.0;
@@ -119,14 +119,14 @@ impl Inspection {
     }
 }
 
-/// The middle of a cell of a grid.
+/// The centre of a cell of a grid.
 struct Place<'s> {
     surface: &'s dyn ParamSurface,
     spans: [usize; 2],
     parameters: [f64; 2],
 }
 
-/// The middles of all cells of a surface's grid, in the order of its cells.
+/// The centres of all cells of a surface's grid, in the order of its cells.
 fn places(
     surface: &dyn ParamSurface,
     steps: usize,
@@ -156,7 +156,7 @@ impl Place<'_> {
         let Some(curvature) = self.surface.gaussian_curvature(self.spans, self.parameters) else {
             return FLAT;
         };
-        // A ball as large as the surface has curvature 4 in this unit.
+        // In this unit a sphere as large as the surface has curvature 4.
         let relative = curvature * size * size;
         let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();
         match strength {

@@ -1,20 +1,20 @@
-//! The little map of the net beside the page: a disc for each control point, to be chosen by a click.
+//! The map of the net beside the page: a disc for each control point, which a click chooses.
 
 use crate::design::Index;
 use crate::screen::{Color, Screen, Stroke};
 
-/// The map of a net with so many control points in the directions of u and v.
+/// The map of a net by its numbers of control points along u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Map {
     counts: [usize; 2],
-    /// Pixels between two discs.
+    /// Distance between discs in pixels.
     spacing: [i32; 2],
     radius: i32,
 }
 
-/// The disc of point (0, 0).
+/// Centre of the disc of point (0, 0).
 const ORIGIN: (i32, i32) = (50, 36);
-/// Room for discs to the right of it and above, and their distance where there is room.
+/// Width and height available for discs, and their preferred distance, in pixels.
 const ROOM: [i32; 2] = [70, 32];
 const SPACING: [i32; 2] = [10, 8];
 
@@ -33,7 +33,7 @@ impl Map {
             let steps = self.counts[direction].saturating_sub(1).max(1);
             match self.spacing[direction] {
                 spacing if spacing == SPACING[direction] => i32::try_from(index).unwrap_or(0) * spacing,
-                // The whole room, whatever the number.
+                // Many points share the whole width or height.
                 _ => (index as f64 / steps as f64 * f64::from(ROOM[direction])) as i32,
             }
         };
@@ -51,7 +51,7 @@ impl Map {
         all.min_by_key(|&index| distance(index)).filter(|&index| distance(index) < 10)
     }
 
-    /// Draws the map with a point picked out.
+    /// Draws the map with one point highlighted.
     pub(super) fn draw(&self, screen: &mut Screen, chosen: Option<Index>) {
         let [rows, columns] = self.counts;
         for k in 0..rows {
@@ -61,7 +61,7 @@ impl Map {
                 screen.disc(x, y, self.radius, fill, Color::Black);
             }
         }
-        // Where the numbers would not fit, only the last one is told.
+        // If not all numbers fit, only the last one is written.
         let named = |count: usize, room: bool| (0..count).filter(move |&index| room || index + 1 == count);
         for k in named(rows, self.spacing[0] == SPACING[0]) {
             screen.text(self.center([k, 0]).0 - 3, 44, &k.to_string(), Color::Black);
@@ -71,7 +71,7 @@ impl Map {
             let left = if name.len() > 1 { 28 } else { 36 };
             screen.text(left, self.center([0, l]).1 - 2, &name, Color::Black);
         }
-        // Behind the last number, which may have two digits.
+        // To the right of the last number, which may have two digits.
         let right = self.center([rows.saturating_sub(1), 0]).0 + if rows > 10 { 8 } else { 0 };
         for (x, y, letter) in [(20, 20, "l"), (right + 10, 44, "k"), (170, 30, "u"), (140, 4, "v")] {
             screen.text(x, y, letter, Color::LightRed);

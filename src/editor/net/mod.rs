@@ -36,23 +36,23 @@ use std::rc::Rc;
 use surface::{Display, Drawn};
 use tables::Action;
 
-/// Makes the editor ready as a program, with a document that was named at the start or none.
+/// Prepares the editor, with or without a document to open.
 ///
 /// # Errors
-/// Why it cannot work with the document.
+/// The reason why it cannot open the document.
 pub fn start(plan: &'static Plan, document: Option<Document>) -> Result<ui::Start, Phrase> {
     super::start(Nets::new(plan), plan.manual, document)
 }
 
-/// What the editor of surfaces has of its own.
+/// The [`Craft`] of surfaces.
 struct Nets {
     plan: &'static Plan,
-    /// The surface of the last "F", if it stands in the picture instead of the net.
+    /// The surface shown by the last F, if it replaces the net in the picture.
     drawn: Option<Rc<Drawn>>,
     display: Display,
     inspection: Inspection,
     section: Option<Section>,
-    /// The control point that is about to be changed, and what of it.
+    /// The control point being changed, and which part of it.
     chosen: Option<(Index, Part)>,
 }
 
@@ -68,7 +68,7 @@ impl Nets {
         }
     }
 
-    /// Whether the user chooses between wires and filled cells; heights have no wires.
+    /// Whether the user can choose between wires and filled cells; height fields have no wires.
     fn asks_display(&self) -> bool {
         self.plan.family != Family::Heights
     }
@@ -231,13 +231,13 @@ impl Craft<3> for Nets {
         editor.carry_out(desk, action).await
     }
 
-    /// After a change the net is in the picture.
+    /// After a change the net is shown.
     fn changed(editor: &mut Editor<Nets, 3>) {
         editor.craft.drawn = None;
         editor.shown.known = editor.shown.follow;
     }
 
-    /// A point that has not been moved was only chosen.
+    /// A point that was not moved is chosen.
     async fn dropped(
         editor: &mut Editor<Nets, 3>,
         desk: &mut Desk<'_>,
@@ -256,7 +256,7 @@ impl Craft<3> for Nets {
         editor.craft.draw_up(editor.history.now()).err().map(|error| refusal::of_surface(&error))
     }
 
-    /// The surface in the picture stays that of the last F, as in the original, unless it shall follow.
+    /// As in the original, the shown surface is that of the last F, unless it follows changes.
     fn reshaped(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>) {
         if editor.shown.follow && editor.craft.drawn.is_some() {
             editor.refresh(desk);

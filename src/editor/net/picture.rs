@@ -1,4 +1,4 @@
-//! What there is to be seen of a surface and its net, and the values under the picture.
+//! The visible items of a surface and its net, and the values under the picture.
 
 use super::Nets;
 use super::inspect::{Inspection, Section};
@@ -17,11 +17,11 @@ use crate::ui::look::Look;
 use crate::ui::words;
 use std::rc::Rc;
 
-/// How near a click has to be to a control point.
+/// Largest distance of a click from a control point, in pixels.
 const REACH: i32 = 6;
 /// Length of the drawn tangents of a Hermite patch.
 const TANGENT: f64 = 0.2;
-/// Steps of its border curves.
+/// Segments of its border curves.
 const BORDER_STEPS: usize = 16;
 
 /// A surface in the picture.
@@ -64,7 +64,7 @@ impl Own<3> for Surfaced {
 }
 
 impl Editor<Nets, 3> {
-    /// The surface, or else the net with the surface that follows it.
+    /// The surface, or the net with the surface that follows it.
     pub(super) fn items(&self) -> Vec<Item<3>> {
         if let Some(drawn) = &self.craft.drawn {
             return vec![self.surface(Rc::clone(drawn), Color::White)];
@@ -114,7 +114,7 @@ impl Editor<Nets, 3> {
         }
     }
 
-    /// The lines between the control points in their colours; white ones are borders of the surface.
+    /// Coloured lines between control points; white ones are borders of the surface.
     pub(super) fn strokes(&self, net: &NetDesign) -> Vec<(Point<3>, Point<3>, Color)> {
         let inked = |lines: Vec<Line>, ink: Color| lines.into_iter().map(move |(from, to)| (from, to, ink));
         match self.craft.plan.family {
@@ -137,7 +137,7 @@ impl Editor<Nets, 3> {
         self.held.map(|held| held.handle).or(self.craft.chosen.map(|(index, _)| index))
     }
 
-    /// The line under the picture: the point that is held or about to be changed.
+    /// The line under the picture: the point being dragged or changed.
     fn line(&self, language: Language) -> Option<String> {
         let (index, part) = match self.held {
             Some(held) => (held.handle, Part::Place),
@@ -173,8 +173,7 @@ impl Editor<Nets, 3> {
         }
     }
 
-    /// The control point whose circle is at a pixel, the nearest to the viewer; none where the surface
-    /// stands instead of the net.
+    /// The control point at a pixel, the one nearest to the viewer; `None` while the surface replaces the net.
     pub(super) fn point_at(&self, (x, y): (i32, i32)) -> Option<Index> {
         if self.craft.drawn.is_some() {
             return None;
@@ -190,7 +189,7 @@ impl Editor<Nets, 3> {
     }
 }
 
-/// The four border curves of a Hermite patch and the tangents across them (chapter 3.3).
+/// The four border curves of a Hermite patch and the cross-boundary tangents (chapter 3.3).
 fn border_lines(net: &NetDesign) -> Vec<(Point<3>, Point<3>)> {
     let Ok(surface) = net.surface() else { return Vec::new() };
     let mut lines = Vec::new();
@@ -210,14 +209,14 @@ fn border_lines(net: &NetDesign) -> Vec<(Point<3>, Point<3>)> {
     lines
 }
 
-/// A tension with one decimal, or with an exponent where that would not fit.
+/// A tension with one decimal, or in scientific notation if that does not fit.
 fn short(value: f64) -> String {
     if value.abs() < 1e4 { format!("{value:.1}") } else { format!("{value:e}") }
 }
 
 type Line = (Point<3>, Point<3>);
 
-/// The lines between neighbours of a net.
+/// The lines between neighbouring points of a net.
 fn net_lines(net: &NetDesign, closed: [bool; 2]) -> Vec<Line> {
     let [rows, columns] = net.shape();
     let mut lines = Vec::new();
@@ -236,7 +235,7 @@ fn net_lines(net: &NetDesign, closed: [bool; 2]) -> Vec<Line> {
     lines
 }
 
-/// The grid on the ground under heights, and the drops to it.
+/// The grid on the ground under a height field, and the perpendiculars to it.
 fn ground_lines(net: &NetDesign) -> Vec<Line> {
     let [rows, columns] = net.shape();
     let foot = |index: Index| net.point(index).map(|[x, y, _]| [x, y, 0.0]);
@@ -248,7 +247,7 @@ fn ground_lines(net: &NetDesign) -> Vec<Line> {
     along.chain(across).chain(drops).collect()
 }
 
-/// A surface that is only looked at as a figure.
+/// The figure of a surface given by its points.
 pub(super) fn of_grid(grid: &Grid, view: View, display: Display) -> Option<Figure> {
     let mut figure = Figure::new();
     figure.plot_surface(grid, &view, hidden(display));
@@ -257,7 +256,7 @@ pub(super) fn of_grid(grid: &Grid, view: View, display: Display) -> Option<Figur
     Some(figure)
 }
 
-/// Cells hide what is behind them, wires do not.
+/// Filled cells hide what is behind them; wires do not.
 fn hidden(display: Display) -> Hidden {
     match display {
         Display::Wire => Hidden::Drawn,

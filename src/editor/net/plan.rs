@@ -1,4 +1,4 @@
-//! What makes one surface program different from another: a plan of a few lines.
+//! Plans: what distinguishes one surface program from another.
 
 use crate::design::nets;
 use crate::file::{Method, NetKind};
@@ -8,30 +8,30 @@ use crate::ui::Manual;
 /// A surface program.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
-    /// What it says about itself.
+    /// Its manual.
     pub manual: Manual,
-    /// What it stores its nets as; this decides the topology.
+    /// The kind of net that it saves, which determines the topology.
     pub kind: NetKind,
-    /// What other kinds it reads too.
+    /// Other kinds of net that it reads.
     pub reads: &'static [NetKind],
-    /// How a surface follows the net.
+    /// The methods that make a surface from the net.
     pub family: Family,
     /// The net of a new configuration.
     pub start: Start,
     /// Steps that a cell of the net is drawn in.
     pub steps: usize,
-    /// From where the net is seen at first.
+    /// The initial direction of view.
     pub view: Point<3>,
 }
 
-/// The methods of a program, and what they can be shaped by.
+/// The methods of a program with their parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// The Hermite patch (3.17): corners, tangents and twists.
     Hermite,
     /// Cubic splines (3.20)-(3.22).
     Spline,
-    /// Cubic splines over a fixed grid: only heights are changed.
+    /// Cubic splines over a fixed grid; only heights change.
     Heights,
     /// Local splines with a coefficient in each direction (3.61).
     Local,
@@ -46,13 +46,13 @@ pub enum Family {
 /// The net of a new configuration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start {
-    /// The matrix of a flat square with a side, all vectors zero.
+    /// The matrix of a flat square of the given side, with zero vectors.
     Square(f64),
-    /// A flat grid in the plane of x and y with a spacing.
+    /// A flat grid in the xy plane with the given spacing.
     Plane(f64),
-    /// A sphere of a radius.
+    /// A sphere of the given radius.
     Sphere(f64),
-    /// A torus: radius of its middle line and of its tube.
+    /// A torus: major and minor radius.
     Torus(f64, f64),
 }
 
@@ -70,7 +70,7 @@ impl Plan {
 }
 
 impl Family {
-    /// The method where a net names none.
+    /// The method of a net that names none.
     pub(super) fn method(self) -> Method {
         match self {
             Family::Hermite => Method::Hermite,

@@ -1,4 +1,4 @@
-//! A surface that is only looked at: turned, zoomed, in wires or filled.
+//! Viewer of a surface: turned, zoomed, in wires or filled.
 
 use super::picture::of_grid;
 use super::surface::{Display, Fill, draw_grid};
@@ -13,12 +13,12 @@ use crate::ui::words;
 use crate::ui::{Command, Commands, Desk, END, KeyHelp, Manual, Picture, Words};
 use serde::Serialize;
 
-/// A surface to be looked at.
+/// A surface to show.
 #[derive(Clone, Debug)]
 pub struct Show {
-    /// What the program says about itself.
+    /// The manual of the program.
     pub manual: Manual,
-    /// The direction from which the surface is seen at first.
+    /// The initial direction of view.
     pub view: Point<3>,
     /// The surface.
     pub grid: Grid,

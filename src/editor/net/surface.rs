@@ -1,4 +1,4 @@
-//! The surface in the picture: wires, or filled cells of which the nearest are seen.
+//! Draws surfaces: as wires, or as filled cells with a depth buffer.
 
 use super::Nets;
 use super::plan::Family;
@@ -9,17 +9,17 @@ use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
 use crate::ui::words;
 
-/// How a surface is drawn.
+/// Wires or filled cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Display {
-    /// All lines.
+    /// Every line is visible.
     Wire,
-    /// Black cells with white edges that hide what is behind them.
+    /// Black cells with white edges hide what is behind them.
     Filled,
 }
 
 impl Display {
-    /// Writes which key changes to the other one.
+    /// Writes the key that switches to the other one.
     pub(super) fn draw_legend(self, screen: &mut Screen, language: Language) {
         let other = match self {
             Display::Wire => words::FILLED_LEGEND,
@@ -29,20 +29,20 @@ impl Display {
     }
 }
 
-/// A surface with the points that it is drawn by.
+/// A surface with the grid of points it is drawn from.
 #[derive(Debug)]
 pub(super) struct Drawn {
     pub(super) surface: Box<dyn ParamSurface>,
     pub(super) grid: Grid,
-    /// Steps that a cell of the net has in the grid.
+    /// Grid cells per cell of the net, in each direction.
     pub(super) steps: usize,
 }
 
-/// Points nearer to a line than this part of its length are on it.
+/// A point counts as on a line if its distance is below this fraction of the line's length.
 const ON_LINE: f64 = 1e-9;
 
 impl Drawn {
-    /// Whether all of the surface lies on one line or in one point.
+    /// Whether the whole surface lies on a line or in a point.
     pub(super) fn collapsed(&self) -> bool {
         let points = self.grid.points();
         let Some(&origin) = points.first() else { return true };
@@ -51,18 +51,18 @@ impl Drawn {
         let Some(line) = farthest else { return true };
         let length = dot(line, line);
         points.iter().map(offset).all(|point| {
-            // The square of the area between the point and the line.
+            // Lagrange's identity: the squared area of the parallelogram that both vectors span.
             dot(point, point) * length - dot(point, line).powi(2) <= (ON_LINE * length).powi(2)
         })
     }
 }
 
-/// What the cells are filled with.
+/// Fill colours of the cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fill {
-    /// Both sides alike.
+    /// The same colour on both sides.
     Plain,
-    /// The lower side in grey.
+    /// Grey on the lower side.
     Sides,
 }
 
@@ -71,7 +71,7 @@ impl Nets {
     pub(super) fn draw_up(&self, net: &NetDesign) -> Result<Drawn, DesignError> {
         let surface = net.surface()?;
         let [rows, columns] = net.shape();
-        // Large nets are drawn in larger steps, to keep the picture quick and readable.
+        // Large nets are drawn with fewer cells, which keeps the picture quick and readable.
         let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
         let grid = surface.grid(steps)?;
         Ok(Drawn { surface, grid, steps })
@@ -81,7 +81,7 @@ impl Nets {
         if self.plan.family == Family::Heights { Fill::Sides } else { Fill::Plain }
     }
 
-    /// How the surface is drawn now; heights have no wires.
+    /// The present display; height fields have no wires.
     pub(super) fn display_now(&self) -> Display {
         if self.plan.family == Family::Heights { Display::Filled } else { self.display }
     }
@@ -116,7 +116,7 @@ fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
     }
 }
 
-/// Draws the cells of a grid with the fill and edge that each has by its corners.
+/// Draws the cells of a grid; fill and edge colour of each are given by its corners.
 pub(super) fn draw_cells(
     screen: &mut Screen,
     grid: &Grid,
@@ -131,12 +131,12 @@ pub(super) fn draw_cells(
     let mut cells: Vec<Cell> = grid
         .cells()
         .map(|cell| {
-            // The indices are those of the grid's points.
+            // The indices come from the grid's points.
             let corners = cell.map(|index| vertices.get(index).copied().unwrap_or_default());
             Cell { corners, inks: inks(&corners) }
         })
         .collect();
-    // In any order they make the same picture; what is behind others costs least when it comes last.
+    // The order does not change the picture; front to back is quickest, as hidden pixels are skipped.
     cells.sort_unstable_by(|a, b| b.nearest().total_cmp(&a.nearest()));
     let mut buffer = DepthBuffer::new(width, height);
     for Cell { corners, inks: (fill, edge) } in cells {
@@ -145,7 +145,7 @@ pub(super) fn draw_cells(
     show(screen, &buffer, corner);
 }
 
-/// A cell as it is drawn.
+/// A projected cell.
 struct Cell {
     corners: [Vertex; 4],
     inks: (Color, Option<Color>),
@@ -157,7 +157,7 @@ impl Cell {
     }
 }
 
-/// The part of the screen that vertices span: its upper left pixel, width and height. `None` if it is empty.
+/// The bounding box of vertices on the screen: upper left pixel, width and height. `None` if it is empty.
 fn seen(vertices: &[Vertex]) -> Option<((i32, i32), [usize; 2])> {
     let span = |along: fn(&Vertex) -> i32, size: i32| {
         let (least, most) = vertices.iter().map(along).fold((size, -1), |(a, b), x| (a.min(x), b.max(x)));
@@ -173,13 +173,13 @@ fn vertex(look: Look, point: Point<3>) -> Vertex {
     Vertex { x, y, depth: look.view.depth(point) as f32 }
 }
 
-/// Whether a cell of heights shows its lower side: its corners then turn the other way.
+/// Whether the lower side of a height field's cell is visible: its corners then have the opposite orientation.
 fn below(corners: &[Vertex; 4]) -> bool {
     let [a, b, c, d] = corners.map(|corner| (f64::from(corner.x), f64::from(corner.y)));
     (c.0 - a.0) * (d.1 - b.1) - (c.1 - a.1) * (d.0 - b.0) < 0.0
 }
 
-/// Puts what a depth buffer shows onto the screen, its upper left pixel at a place.
+/// Copies a depth buffer to the screen, with its upper left pixel at the given one.
 fn show(screen: &mut Screen, buffer: &DepthBuffer, (x, y): (i32, i32)) {
     for (y, (_, row)) in (y..).zip(buffer.rows()) {
         screen.row(x, y, row.iter().map(|pixel| pixel.color().map(Color::from_index)));

@@ -94,13 +94,13 @@ pub(super) fn of(family: Family) -> Commands<Action> {
 
 /// The help page of a program without parameters.
 pub const KEYS: &[KeyHelp] = &PLAIN.help::<{ PLAIN.lines() }>();
-/// That with a coefficient in each direction.
+/// The same with a coefficient in each direction.
 pub const LOCAL_KEYS: &[KeyHelp] = &LOCAL.help::<{ LOCAL.lines() }>();
-/// That with bias and tension in each direction.
+/// The same with bias and tension in each direction.
 pub const BETA_KEYS: &[KeyHelp] = &BETA.help::<{ BETA.lines() }>();
-/// That of B-splines.
+/// The help page of B-splines.
 pub const B_SPLINE_KEYS: &[KeyHelp] = &B_SPLINE.help::<{ B_SPLINE.lines() }>();
-/// That of splines and the Bézier patch.
+/// The help page of splines and the Bézier patch.
 pub const FINER_KEYS: &[KeyHelp] = &FINER.help::<{ FINER.lines() }>();
 
 #[cfg(test)]
