@@ -125,8 +125,7 @@ impl Work for Player {
 
     /// Only a game for points is worth a question; a shot in motion counts as it will end.
     fn unsaved(&mut self) -> bool {
-        let game = self.outcome();
-        game.points.is_some() && self.games.differs(&game)
+        self.games.now().points.is_some() && self.games.differs(&self.outcome())
     }
 
     fn reset(&mut self) {

@@ -55,6 +55,13 @@ impl Storage for Folder {
         same.sort();
         same.into_iter().find(|known| is_there(&self.path.join(known)))
     }
+
+    fn names(&self) -> Vec<String> {
+        let place = if self.path.as_os_str().is_empty() { Path::new(".") } else { &self.path };
+        let Ok(entries) = fs::read_dir(place) else { return Vec::new() };
+        let files = entries.flatten().filter(|entry| entry.path().is_file());
+        files.filter_map(|entry| entry.file_name().into_string().ok()).collect()
+    }
 }
 
 #[cfg(test)]

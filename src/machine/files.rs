@@ -79,6 +79,10 @@ impl Storage for Files {
     fn find(&self, name: &str) -> Option<String> {
         self.place.find(name)
     }
+
+    fn names(&self) -> Vec<String> {
+        self.place.names()
+    }
 }
 
 #[cfg(test)]

@@ -183,6 +183,8 @@ impl Machine {
             now: Duration::ZERO,
             wait: Wait::Event,
             model: None,
+            file: None,
+            unsaved: false,
             filming: false,
             lost: None,
             language: settings.language,
@@ -249,7 +251,13 @@ impl Machine {
 
     /// Sets the file that the work belongs to.
     pub fn set_file(&mut self, name: Option<String>) {
+        self.port.borrow_mut().file.clone_from(&name);
         self.file = name;
+    }
+
+    /// Says whether something would be lost, for the title of the window.
+    pub fn set_unsaved(&mut self, unsaved: bool) {
+        self.port.borrow_mut().unsaved = unsaved;
     }
 
     /// Where random numbers start from (`--seed`).

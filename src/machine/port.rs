@@ -48,6 +48,10 @@ pub(super) struct Port {
     pub(super) language: Language,
     pub(super) manner: Manner,
     pub(super) preferences: Preferences,
+    /// The file that the work belongs to.
+    pub(super) file: Option<String>,
+    /// Whether something would be lost.
+    pub(super) unsaved: bool,
     /// Whether a film is being recorded.
     pub(super) filming: bool,
     /// The error of saving after the program had ended.

@@ -7,7 +7,7 @@ use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
 use super::{Asked, Language, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
-use crate::screen::{Color, Masks, Palette, Screen, WIDTH};
+use crate::screen::{Color, Masks, Palette, Screen, WIDTH, visible};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
 use std::pin::Pin;
@@ -77,6 +77,13 @@ impl Session {
     /// Position and buttons of the mouse as the program knows them.
     pub fn mouse(&self) -> Mouse {
         self.port.borrow().mouse
+    }
+
+    /// What a window calls the session: the program, its file, and a mark when something is unsaved.
+    pub fn title(&self, program: &str) -> String {
+        let port = self.port.borrow();
+        let file = port.file.as_ref().map(|file| format!(" - {}", visible(file))).unwrap_or_default();
+        format!("{program}{file}{}", if port.unsaved { " *" } else { "" })
     }
 
     /// A copy of the screen, with a red dot in the upper right corner while a film is being recorded. No saved picture

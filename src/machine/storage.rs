@@ -57,6 +57,11 @@ pub trait Storage {
 
     /// The name as it is stored here, whatever its case; built-in samples do not count.
     fn find(&self, name: &str) -> Option<String>;
+
+    /// The names of all files, in any order; a place that cannot be listed has none.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Checks that a name is a plain file name, as every storage has to.
@@ -122,6 +127,10 @@ impl Storage for Memory {
     fn find(&self, name: &str) -> Option<String> {
         self.files.keys().find(|known| known.eq_ignore_ascii_case(name)).cloned()
     }
+
+    fn names(&self) -> Vec<String> {
+        self.files.keys().cloned().collect()
+    }
 }
 
 /// Files shared by several programs.
@@ -136,6 +145,10 @@ impl<S: Storage> Storage for Rc<RefCell<S>> {
 
     fn find(&self, name: &str) -> Option<String> {
         self.borrow().find(name)
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.borrow().names()
     }
 }
 

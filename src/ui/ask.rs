@@ -5,7 +5,7 @@ use super::desk::{Desk, Over, Picture};
 use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
 use super::words::{self, Hot, Phrase, Words};
-use crate::machine::{Asked, Key, Language, Stop};
+use crate::machine::{Asked, Key, Language, Manner, Stop, Tick};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
 
@@ -23,12 +23,20 @@ pub struct Question {
     pub title: Phrase,
     /// The two answers.
     pub answers: [Hot; 2],
+    /// What Enter answers in the manner of today.
+    pub proposed: Answer,
 }
 
 impl Question {
     /// A question at a place.
     pub fn new(place: (i32, i32), title: impl Into<Phrase>, answers: [Hot; 2]) -> Question {
-        Question { place, title: title.into(), answers }
+        Question { place, title: title.into(), answers, proposed: Answer::First }
+    }
+
+    /// The question with no as what is proposed: for what cannot be undone.
+    #[must_use]
+    pub fn careful(self) -> Question {
+        Question { proposed: Answer::Second, ..self }
     }
 
     /// A yes-or-no question in the middle of the picture.
@@ -80,6 +88,64 @@ impl<T: Copy + PartialEq> Choices<T> {
             window(screen, area);
             hot_text(screen, area.x1 + 5, area.y1 + 3, answer, ink, language);
         }
+    }
+}
+
+impl<T> Choices<T> {
+    /// The answer of a key or a click. In English, Y says yes too.
+    fn answer(&self, tick: &Tick, language: Language) -> Option<&T> {
+        let letter = tick.letter();
+        let yes = letter == Some('Y') && language == Language::English;
+        let chosen = |&&(area, text, _): &&(Area, Hot, T)| {
+            letter == Some(text.letter)
+                || (yes && text == words::YES)
+                || tick.click().is_some_and(|(x, y)| area.holds(x, y))
+        };
+        self.answers.iter().find(chosen).map(|(.., meaning)| meaning)
+    }
+
+    /// The keys that answer.
+    fn keys(&self, language: Language) -> String {
+        let letter = |text: Hot| match language {
+            Language::English if text == words::YES => 'Y',
+            _ => text.letter,
+        };
+        let letters: String = self.answers.iter().flat_map(|&(_, text, _)| [letter(text), ' ']).collect();
+        format!("{letters} Enter")
+    }
+}
+
+/// What stands under a page in the manner of today: which keys or numbers are right, and a place to click that cancels.
+struct Strip {
+    page: (i32, i32),
+}
+
+impl Strip {
+    /// Letters of its text.
+    const LETTERS: usize = 22;
+
+    fn area(&self) -> Area {
+        let (x, y) = self.page;
+        Area::new(x, y + 46, x + 240, y + 60)
+    }
+
+    fn cancel(&self) -> Area {
+        let Area { y1, x2, y2, .. } = self.area();
+        Area::new(x2 - 52, y1, x2, y2)
+    }
+
+    fn draw(&self, screen: &mut Screen, text: &str) {
+        let Area { x1, y1, .. } = self.area();
+        super::frame::panel(screen, x1, y1, 240, 14);
+        let text: String = text.chars().take(Strip::LETTERS).collect();
+        screen.text(x1 + 6, y1 + 4, &text, Color::Blue);
+        screen.text(x1 + 192, y1 + 4, "x Esc", Color::LightRed);
+    }
+
+    /// Whether an event cancels what is asked.
+    fn cancels(strip: Option<&Strip>, tick: &Tick) -> bool {
+        let clicked = |strip: &Strip| tick.click().is_some_and(|(x, y)| strip.cancel().holds(x, y));
+        tick.pressed(Key::Esc) || strip.is_some_and(clicked)
     }
 }
 
@@ -138,6 +204,15 @@ pub enum Number {
 }
 
 impl Number {
+    /// The numbers that are taken, for the user; empty where there is no end.
+    fn range(&self) -> String {
+        match self {
+            Number::Whole(range) if *range.end() == i32::MAX => String::new(),
+            Number::Whole(range) => format!("{} ... {}", range.start(), range.end()),
+            Number::Real(range) => format!("{} ... {}", range.start(), range.end()),
+        }
+    }
+
     /// The number that was typed, moved into the range; `None` if it is no number.
     pub fn read(&self, text: &str) -> Option<f64> {
         match self {
@@ -178,7 +253,8 @@ impl Desk<'_> {
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
     pub async fn ask(&mut self, picture: &dyn Picture, question: &Question) -> Asked<Answer> {
-        self.choose(picture, &question.choices()).await
+        let proposed = (self.machine.manner() == Manner::Today).then_some(question.proposed);
+        self.choose_or(picture, &question.choices(), proposed).await
     }
 
     /// Lets one of several answers be chosen by its letter or a click, and gives what it means.
@@ -203,23 +279,28 @@ impl Desk<'_> {
         choices: &Choices<T>,
         default: Option<T>,
     ) -> Asked<T> {
+        let strip = self.strip(choices.place);
+        let first = choices.answers.first().map(|&(.., meaning)| meaning);
+        let default = default.or(first.filter(|_| strip.is_some()));
         loop {
             let page = Over::new(picture, |screen: &mut Screen, language: Language| {
                 choices.draw_with(default, screen, language);
+                strip.iter().for_each(|strip| strip.draw(screen, &choices.keys(language)));
             });
             let tick = self.event(&page).await?;
-            match (tick.key(), default) {
-                (Some(Key::Esc), _) => return Err(Stop::Cancelled),
-                (Some(Key::Enter), Some(meaning)) => return Ok(meaning),
-                _ => {}
+            if Strip::cancels(strip.as_ref(), &tick) {
+                return Err(Stop::Cancelled);
             }
-            let chosen = choices.answers.iter().find(|&&(area, answer, _)| {
-                tick.letter() == Some(answer.letter) || tick.click().is_some_and(|(x, y)| area.holds(x, y))
-            });
-            if let Some(&(.., meaning)) = chosen {
+            let entered = default.filter(|_| tick.pressed(Key::Enter));
+            if let Some(meaning) = entered.or(choices.answer(&tick, self.machine.language()).copied()) {
                 return Ok(meaning);
             }
         }
+    }
+
+    /// The strip under a page, in the manner of today.
+    fn strip(&self, page: (i32, i32)) -> Option<Strip> {
+        (self.machine.manner() == Manner::Today).then_some(Strip { page })
     }
 
     /// Asks a yes-or-no question.
@@ -245,6 +326,7 @@ impl Desk<'_> {
             .each_ref()
             .map(|field| Entry::new(field.area, field.at, field.longest, Accepts::Number));
         let mut numbers = [0.0; N];
+        let strip = self.strip(TOP);
         for (index, field) in form.fields.iter().enumerate() {
             numbers[index] = loop {
                 let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
@@ -254,8 +336,12 @@ impl Desk<'_> {
                     }
                     (form.ornament)(screen);
                     entries.iter().for_each(|entry| entry.draw(screen));
+                    strip.iter().for_each(|strip| strip.draw(screen, &field.kind.range()));
                 });
                 let tick = self.event(&typing).await?;
+                if Strip::cancels(strip.as_ref(), &tick) {
+                    return Err(Stop::Cancelled);
+                }
                 let entry = &mut entries[index];
                 match tick.key().map_or(Typed::On, |key| entry.key(key)) {
                     Typed::On => {}
@@ -287,11 +373,18 @@ impl Desk<'_> {
         self.type_name(picture, extension, entry, dot_x).await
     }
 
-    /// As [`Desk::file_name`], for a file to be saved, with a proposal and room for it.
+    /// As [`Desk::file_name`], for a file to be saved; the name of the present one is proposed.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
-    pub(super) async fn file_name_or(
+    pub async fn file_name_or(&mut self, picture: &dyn Picture, extension: &str) -> Asked<String> {
+        let present = self.machine.file().and_then(|name| name.rsplit_once('.'));
+        let proposal = present.map(|(stem, _)| stem.to_uppercase()).unwrap_or_default();
+        self.name_proposed(picture, extension, &proposal).await
+    }
+
+    /// Lets a file name without extension be typed, with a proposal and room for it.
+    pub(super) async fn name_proposed(
         &mut self,
         picture: &dyn Picture,
         extension: &str,
@@ -309,14 +402,19 @@ impl Desk<'_> {
         dot_x: i32,
     ) -> Asked<String> {
         let dotted = format!(".{extension}");
+        let strip = self.strip(MIDDLE);
         loop {
             let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
                 page(screen, MIDDLE);
                 screen.text(262, 208, words::FILE_NAME.of(language), Color::Black);
                 entry.draw(screen);
                 screen.text(dot_x, 222, &dotted, Color::Black);
+                strip.iter().for_each(|strip| strip.draw(screen, "Enter"));
             });
             let tick = self.event(&typing).await?;
+            if Strip::cancels(strip.as_ref(), &tick) {
+                return Err(Stop::Cancelled);
+            }
             match tick.key().map_or(Typed::On, |key| entry.key(key)) {
                 Typed::On => {}
                 Typed::Cancelled => return Err(Stop::Cancelled),
@@ -342,13 +440,18 @@ impl Desk<'_> {
         caption: Words,
         mut entry: Entry,
     ) -> Asked<String> {
+        let strip = self.strip(TOP);
         loop {
             let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
                 page(screen, TOP);
                 screen.text(TOP.0 + 8, TOP.1 + 5, caption.of(language), Color::Black);
                 entry.draw(screen);
+                strip.iter().for_each(|strip| strip.draw(screen, "Enter"));
             });
             let tick = self.event(&typing).await?;
+            if Strip::cancels(strip.as_ref(), &tick) {
+                return Err(Stop::Cancelled);
+            }
             match tick.key().map_or(Typed::On, |key| entry.key(key)) {
                 Typed::On => {}
                 Typed::Cancelled => return Err(Stop::Cancelled),

@@ -3,7 +3,7 @@
 use super::ask::{Answer, Question};
 use super::desk::{Desk, Picture};
 use super::notice;
-use super::words::{self, Phrase, Words};
+use super::words::{self, Phrase};
 use crate::machine::{Asked, Language, Standing};
 use crate::screen::Screen;
 
@@ -12,12 +12,17 @@ impl Desk<'_> {
     ///
     /// # Errors
     /// [`Stop`](crate::machine::Stop): Esc, or the display is being closed.
-    pub async fn ask_about(&mut self, picture: &dyn Picture, facts: &Phrase, title: Words) -> Asked<Answer> {
+    pub async fn ask_about(
+        &mut self,
+        picture: &dyn Picture,
+        facts: &Phrase,
+        question: Question,
+    ) -> Asked<Answer> {
         let picture = |screen: &mut Screen, language: Language| {
             picture.draw(screen, language);
             notice::preface(screen, facts.of(language));
         };
-        self.ask(&picture, &Question::yes_no(title)).await
+        self.ask(&picture, &question).await
     }
 
     /// Whether files may be written under these names. Where there are files already, the user decides; that
@@ -36,10 +41,19 @@ impl Desk<'_> {
             let there = first(|standing| matches!(standing, Standing::There(_)));
             let agreed = match (changed, there) {
                 (Some(name), _) => {
-                    let answer = self.ask_about(picture, &words::changed(name), words::ASK_OVERWRITE).await?;
+                    let answer = self
+                        .ask_about(
+                            picture,
+                            &words::changed(name),
+                            Question::yes_no(words::ASK_OVERWRITE).careful(),
+                        )
+                        .await?;
                     answer == Answer::First
                 }
-                (None, Some(name)) => self.yes(picture, words::exists(name)).await?,
+                (None, Some(name)) => {
+                    let question = Question::yes_no(words::exists(name)).careful();
+                    self.ask(picture, &question).await? == Answer::First
+                }
                 (None, None) => return Ok(true),
             };
             // What was agreed to was said of these contents: others may have come while the question stood.

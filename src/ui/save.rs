@@ -131,7 +131,7 @@ impl Desk<'_> {
         let mut proposal = free_name(self.machine.storage(), self.manual.name, extension);
         loop {
             let stem = stem(&proposal).to_string();
-            let name = self.file_name_or(picture, extension, &stem).await?;
+            let name = self.name_proposed(picture, extension, &stem).await?;
             if self.machine.storage().find(&name).is_none() || self.yes(picture, words::exists(&name)).await?
             {
                 return Ok(name);

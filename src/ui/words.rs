@@ -564,6 +564,11 @@ pub(crate) fn net_size([rows, columns]: [usize; 2], [least_u, least_v]: [usize; 
     )
 }
 
+// The page of files.
+pub(crate) const CHOOSE_FILE: Words =
+    Words("Megnyitás: nyilak, Enter, egér vagy a név", "Open: arrows, Enter, mouse, or type the name");
+pub(crate) const NO_FITTING_FILE: Words = Words("Nincs ilyen nevű fájl", "No file of such a name");
+
 // Hints: three lines of 28 letters.
 pub(crate) const HINT_FIRST: Words = Words(
     "Kattintson a mezőre: minden kattintás egy pont. F1: súgó",

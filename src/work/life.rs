@@ -2,6 +2,7 @@
 //! Nothing is lost without having been asked.
 
 use super::History;
+use super::choose::choose_file;
 use super::files::{Files, dos_files, has_json, json_name, read_document, with_json, with_twin};
 use super::rescue::{self, keep};
 use crate::design;
@@ -193,6 +194,8 @@ pub async fn event<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<Tick> {
     state.look(desk);
     keep(state, desk);
     desk.machine.publish(state.model());
+    let unsaved = state.unsaved();
+    desk.machine.set_unsaved(unsaved);
     let tick = match state.due() {
         Some(due) => desk.event_before(&*state, desk.machine.now() + due).await?,
         None => desk.event(&*state).await?,
@@ -250,15 +253,17 @@ async fn start<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<()> {
 }
 
 /// The extension of the files of a format.
-fn extension(format: Option<Format>) -> &'static str {
+pub(super) fn extension(format: Option<Format>) -> &'static str {
     format.filter(|format| format.size().is_some()).map_or(JSON, Format::extension)
 }
 
 /// Asks for a name and takes up what is stored under it; whether it was done.
 pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay) -> Asked<bool> {
     state.settle();
-    let extension = extension(Some(state.format()));
-    let name = desk.file_name(&*state, extension, Way::Load).await?;
+    let name = match desk.machine.manner() {
+        Manner::Today => choose_file(&*state, desk).await?,
+        Manner::Original => desk.file_name(&*state, extension(Some(state.format())), Way::Load).await?,
+    };
     let read = state.read(desk.machine.storage(), &name);
     let done = desk.done(read, stay);
     if done {
@@ -272,7 +277,10 @@ pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay
 pub(crate) async fn save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
     state.settle();
     let extension = extension(state.saved_as());
-    let name = desk.file_name(&*state, extension, Way::Save).await?;
+    let name = match desk.machine.manner() {
+        Manner::Today => desk.file_name_or(&*state, extension).await?,
+        Manner::Original => desk.file_name(&*state, extension, Way::Save).await?,
+    };
     let stored = match files(state, desk, &name).await? {
         Ok(files) => {
             let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
@@ -319,7 +327,7 @@ async fn files<W: Work>(state: &W, desk: &mut Desk<'_>, name: &str) -> Asked<Res
         _ if belongs => true,
         Manner::Today => {
             let facts = words::not_held(format, &lost, &json);
-            desk.ask_about(state, &facts, words::ASK_JSON).await? == Answer::First
+            desk.ask_about(state, &facts, Question::yes_no(words::ASK_JSON)).await? == Answer::First
         }
         // The originals have no such question, and no shapes of joints.
         Manner::Original => lost.iter().any(|name| name == "joints"),

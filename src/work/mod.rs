@@ -1,6 +1,7 @@
 //! The life of what a program works on, the same for editors, puzzles and billiards: new or stored, edited, undone,
 //! saved, left, and rescued after a session that broke off.
 
+mod choose;
 mod files;
 mod history;
 mod life;

@@ -3,7 +3,7 @@
 use super::life::Work;
 use crate::machine::{self, Asked, Asking, Verdict};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{Answer, Desk, Picture, Stay};
+use crate::ui::{Answer, Desk, Picture, Question, Stay};
 
 /// Keeps the work as long as it is unsaved. To be called when it may have changed, before the program waits:
 /// [`event`](super::event) does it. A machine without a place for it does not ask for the work. Why it cannot be kept
@@ -80,11 +80,13 @@ pub(super) async fn offer<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<
 
 /// Asks what to do with lost work. Only a second yes deletes it.
 async fn decide(picture: &impl Picture, desk: &mut Desk<'_>, facts: &Phrase) -> Asked<Verdict> {
-    match desk.ask_about(picture, facts, words::ASK_TAKE_UP).await.unless_cancelled()? {
+    match desk.ask_about(picture, facts, Question::yes_no(words::ASK_TAKE_UP)).await.unless_cancelled()? {
         Some(Answer::First) => return Ok(Verdict::TakenUp),
         None => return Ok(Verdict::Later),
         Some(Answer::Second) => {}
     }
-    let answer = desk.ask_about(picture, &words::GIVING_UP.into(), words::ASK_GIVE_UP).await;
+    let answer = desk
+        .ask_about(picture, &words::GIVING_UP.into(), Question::yes_no(words::ASK_GIVE_UP).careful())
+        .await;
     Ok(if answer.unless_cancelled()? == Some(Answer::First) { Verdict::Deleted } else { Verdict::Later })
 }

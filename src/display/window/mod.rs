@@ -178,6 +178,8 @@ struct View<'s> {
     /// Parts of a wheel's notch that have not made a whole one.
     turned: f64,
     problem: Option<WindowError>,
+    /// The window's title.
+    title: String,
 }
 
 impl<'s> View<'s> {
@@ -197,6 +199,7 @@ impl<'s> View<'s> {
             held: [false; 3],
             turned: 0.0,
             problem: None,
+            title: options.title.clone(),
         }
     }
 
@@ -360,6 +363,11 @@ impl ApplicationHandler for View<'_> {
             self.front.pane = None;
             desktop.exit();
             return;
+        }
+        let title = self.session.title(&self.options.title);
+        if let (Some(pane), true) = (&self.front.pane, title != self.title) {
+            pane.window.set_title(&title);
+            self.title = title;
         }
         desktop.set_control_flow(match due.and_then(|due| self.front.clock.at(due)) {
             Some(moment) => ControlFlow::WaitUntil(moment),
