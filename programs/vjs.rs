@@ -49,7 +49,14 @@ const COMMANDS: Commands<Action> = Commands(&[
 const MANUAL: Manual = Manual {
     name: "vjs",
     about: Words("Virtuális joystick: gyorsulás egérrel", "A virtual joystick: acceleration by mouse"),
-    intro: Words("", ""),
+    intro: Words(
+        "Egy joystick az egérrel: a fogantyú egy pont gyorsulását adja meg. Húzza ki a fogantyút, \
+         figyelje a számokat, aztán engedje el. Állandó gyorsulásnál a sebesség egyenletesen, az út az \
+         idő négyzetével nő; elengedve a pont megtartja a sebességét, és visszapattan a falról.",
+        "A joystick made of the mouse: its stick gives a point its acceleration. Drag the stick, watch \
+         the numbers, then let go. Under a constant acceleration the velocity grows evenly, the distance \
+         with the square of time; let go, the point keeps its velocity until a wall.",
+    ),
     keys: &COMMANDS.help::<{ COMMANDS.lines() }>(),
     lesson: &[
         Lesson::Line(Words(
