@@ -22,9 +22,9 @@ const MANUAL: Manual = Manual {
     keys: &[
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer")),
         (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink")),
-        (Words("Enter", "Enter"), Words("1. rész: tovább a másodikra", "part 1: go on to the second")),
-        (Words("Esc", "Esc"), Words("vége", "end")),
-        (Words("bármi más", "any other"), Words("2. rész: vége", "part 2: end")),
+        (Words("Enter", "Enter"), Words("1. rész: tovább a másodikra", "part 1: on to the second")),
+        (Words("Esc", "Esc"), Words("kilépés", "quit")),
+        (Words("bármi más", "any other"), Words("2. rész: kilépés", "part 2: quit")),
     ],
     lesson: &[
         Lesson::Line(Words(

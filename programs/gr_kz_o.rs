@@ -23,7 +23,7 @@ const MANUAL: Manual = Manual {
     ),
     keys: &[
         (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the cursor")),
-        (Words("Esc", "Esc"), Words("vége", "end")),
+        (Words("Esc", "Esc"), Words("kilépés", "quit")),
     ],
     lesson: &[
         Lesson::Line(Words(

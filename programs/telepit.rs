@@ -26,7 +26,7 @@ const MANUAL: Manual = Manual {
         "A könyv programjait és példáit telepíti csoportonként egy mappába. Jelöljön ki csoportokat a \
          szóközzel, aztán nyomja meg az Entert. Előbb mindent megtervez, és naplót vezet: ha megszakítja, \
          vagy baj van, minden úgy lesz, ahogy előtte volt.",
-        "It installs the programs and samples of the book, by groups, into a folder. Mark groups with \
+        "It installs the programs and samples of the book, by groups, into a folder. Select groups with \
          Space, then press Enter. Everything is planned first and written into a journal: if you cancel \
          or something fails, all is as it was before.",
     ),

@@ -27,12 +27,12 @@ enum Action {
 
 const DRAG: KeyHelp = (
     Words("egér", "mouse"),
-    Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; let go, it springs back"),
+    Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; released, it springs back"),
 );
 const TILT_IT: KeyHelp = (Words("nyilak", "arrows"), Words("a fogantyú döntése", "tilt the stick"));
 const UPRIGHT: KeyHelp = line("Home", "a fogantyú középre", "stick upright");
 const RESTART: KeyHelp = (Words("szóköz", "space"), Words("minden az elejéről", "start again"));
-const END: KeyHelp = line("Q Esc", "vége", "end");
+const END: KeyHelp = line("Q Esc", "kilépés", "quit");
 
 const COMMANDS: Commands<Action> = Commands(&[
     Command::told(DRAG),
@@ -186,5 +186,6 @@ mod tests {
     #[test]
     fn no_key_has_two_meanings() {
         assert_eq!(super::COMMANDS.shared_keys(), []);
+        assert_eq!(super::COMMANDS.too_wide(), [""; 0]);
     }
 }
