@@ -10,7 +10,14 @@ use std::f64::consts::TAU;
 const MANUAL: Manual = Manual {
     name: "csav_gy",
     about: Words("Csavart gyűrű minden oldalról", "A twisted ring from all sides"),
-    intro: Words("", ""),
+    intro: Words(
+        "Egy csavart gyűrű: cső egy olyan vonal körül, amely hatszor tekeredik egy kör köré. Nyomja meg a \
+         T-t, és forgassa a nyilakkal. A drótváz minden vonalat mutat, és nem dönthető el, mi van elöl; a \
+         takart vonalak nélkül minden képpontban a legközelebbi lap látszik.",
+        "A twisted ring: a tube around a line that winds six times about a circle. Press T and turn it \
+         with the arrows. The wireframe shows every line and does not tell front from back; with hidden \
+         lines removed, the nearest cell is seen in every pixel.",
+    ),
     keys: net::SHOW_KEYS,
     lesson: &[],
 };

@@ -31,7 +31,14 @@ pub(super) const COMMANDS: Commands<Action> = Commands(&[
 const MANUAL: Manual = Manual {
     name: "eg_kz_k",
     about: Words("Az egérkurzor két maszkja", "The two masks of the mouse pointer"),
-    intro: Words("", ""),
+    intro: Words(
+        "Az egérkurzor, ahogy az egérkezelő két 16x16 bites maszkból kirajzolja. Vigye végig a színeken, \
+         aztán Enter után nyomja meg az egérgombokat: az arc kacsint. A képernyőmaszk megtartja vagy \
+         törli a hátteret, a kurzormaszk átfordít: ez négyféle képpont.",
+        "The mouse pointer as the driver draws it, by two masks of 16x16 bits. Move it over the colours; \
+         then press Enter and the mouse buttons, and the face winks. The screen mask keeps or clears the \
+         background, the cursor mask flips bits: that makes four kinds of pixels.",
+    ),
     keys: &COMMANDS.help::<{ COMMANDS.lines() }>(),
     lesson: &[
         Lesson::Line(Words(

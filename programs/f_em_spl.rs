@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_em_spl",
         about: Words("Magasságok spline felülete", "Spline surfaces of heights over a grid"),
-        intro: Words("", ""),
+        intro: Words(
+            "Domborzat: z magasságok felülete egy rögzített 8 x 5 pontos rács fölött. Húzzon el egy \
+             pontot fel vagy le, aztán nyomja meg az F-et. Köbös spline-ok kötik össze a magasságokat \
+             mindkét irányban; a felső oldal fekete, az alsó szürke.",
+            "A landscape: a surface of heights z over a fixed grid of 8 x 5 points. Drag a point up or \
+             down, then press F. Cubic splines join the heights in both directions; the upper side is \
+             black, the lower side grey.",
+        ),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bets",
         about: Words("Nyílt béta-spline felület", "Open beta-spline surfaces"),
-        intro: Words("", ""),
+        intro: Words(
+            "Sima felület egy 5 x 5 pontos háló közelében. Nyomja le: F, T, aztán C, U, 10, Enter, és \
+             újra: F, T. A köbös B-spline általánosítása: a feszültség a hálóhoz húzza, az eltolás az \
+             egyik irányba tolja a felületet, és a görbület folytonos marad.",
+            "A smooth surface near the points of a 5 x 5 net. Press F and T, then C, U, 10 and Enter, \
+             then F and T again. It generalises the cubic B-spline: tension pulls the surface to the net, \
+             bias shifts it along the net, and the curvature stays continuous.",
+        ),
         keys: net::BETA_KEYS,
         lesson: &[],
     },

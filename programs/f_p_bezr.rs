@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bezr",
         about: Words("Bézier-féle felületfolt", "The Bézier patch"),
-        intro: Words("", ""),
+        intro: Words(
+            "Egyetlen felületfolt egy 4 x 4 pontos hálóhoz. Húzzon el egy pontot, nyomja le: F, T, aztán \
+             forgassa a felületet a nyilakkal. A Bernstein-polinomok keverik a pontokat: a felület a \
+             sarkokon átmegy, a többi pont csak vonzza, és mindegyik az egész foltot alakítja.",
+            "One patch by a net of 4 x 4 points. Drag a point, press F and T, then turn the surface with \
+             the arrows. Bernstein polynomials blend the points: the surface passes through the corners, \
+             the other points only attract it, and each of them shapes the whole patch.",
+        ),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

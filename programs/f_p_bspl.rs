@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_bspl",
         about: Words("Nyílt B-spline felület", "Open B-spline surfaces"),
-        intro: Words("", ""),
+        intro: Words(
+            "Sima felület egy 5 x 5 pontos háló közelében. Nyomja le: F, 3, T, aztán húzzon el egy \
+             pontot, és forgasson a nyilakkal. Egy pont csak a környékét mozgatja; másodfokon az \
+             érintősík, harmadfokon a görbület is folytonos. F4: egészen a peremig.",
+            "A smooth surface near the points of a 5 x 5 net. Press F, 3 and T, then drag a point and \
+             turn the surface with the arrows. A point moves only what is near it; degree 2 keeps the \
+             tangent plane continuous, degree 3 the curvature too. F4: up to the border.",
+        ),
         keys: net::B_SPLINE_KEYS,
         lesson: &[],
     },

@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_herm",
         about: Words("Hermite-féle felületfolt", "A Hermite patch: corners, tangents, twists"),
-        intro: Words("", ""),
+        intro: Words(
+            "Egyetlen felületfolt négy sarokból, az ottani érintőkből és csavarásokból (twist). Válasszon \
+             sarkot (V), adjon meg érintőt (U, V) vagy twistet (T), aztán: F, T. Harmadfokú Hermite- \
+             függvények keverik őket; a twist a folt belsejét hajlítja, a peremgörbék maradnak.",
+            "One patch made of four corners, the tangents there and the twists. Choose a corner (V), give \
+             it a tangent (U, V) or a twist (T), then press F and T. Cubic Hermite functions blend them \
+             all; a twist bends the inside of the patch and leaves the border curves as they are.",
+        ),
         keys: net::KEYS,
         lesson: &[],
     },

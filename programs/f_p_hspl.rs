@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_hspl",
         about: Words("Nyílt helyi spline felület", "Open surfaces by local splines"),
-        intro: Words("", ""),
+        intro: Words(
+            "Sima felület egy 5 x 5 pontos háló pontjain át. Nyomja le: F, T, aztán C, U, 1, Enter, és \
+             újra: F, T. Az érintők a szomszédok különbségei k0-val szorozva: egy pont csak a környékét \
+             mozgatja, az érintősík folytonos, de a görbület ugrik.",
+            "A smooth surface through the points of a 5 x 5 net. Press F and T, then C, U, 1 and Enter, \
+             then F and T again. Tangents are k0 times the difference of the neighbours: a point moves \
+             only what is near it; the tangent plane is continuous, the curvature jumps.",
+        ),
         keys: net::LOCAL_KEYS,
         lesson: &[],
     },

@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "f_p_spln",
         about: Words("Nyílt spline felület", "Open spline surfaces"),
-        intro: Words("", ""),
+        intro: Words(
+            "Sima felület egy 5 x 5 pontos háló pontjain át. Húzzon el egy pontot, nyomja le: F, T, aztán \
+             forgassa a felületet a nyilakkal. Természetes köbös spline-ok futnak a háló mindkét \
+             irányában: a görbület is folytonos, de egy pont az egész felületet mozgatja.",
+            "A smooth surface through the points of a 5 x 5 net. Drag a point, press F and T, then turn \
+             the surface with the arrows. Natural cubic splines run along both directions of the net: the \
+             curvature is continuous too, but one point moves the whole surface.",
+        ),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

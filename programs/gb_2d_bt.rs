@@ -11,7 +11,14 @@ const MANUAL: Manual = Manual {
         "Síkgörbék β-spline közelítéssel: eltolás, feszültség",
         "Plane beta-splines: bias and tension",
     ),
-    intro: Words("", ""),
+    intro: Words(
+        "Görbe a kontrollpontok közelében, amelyet két szám formál. Tegyen le öt pontot, nyomja le: G, Z, \
+         aztán C, 10, Enter. Az érintő és a görbület a csatlakozásokon folytonos marad: a feszültség a \
+         pontokhoz húzza a görbét, az 1-nél nagyobb eltolás az előző pontok felé.",
+        "A curve near its control points, shaped by two numbers. Put down five points, press G and Z, \
+         then C, 10 and Enter. Direction and curvature stay continuous at the joints: tension pulls the \
+         curve to its points, a bias above 1 pulls it towards the points before.",
+    ),
     keys: curve::BETA_KEYS,
     lesson: &[],
 };

@@ -12,7 +12,14 @@ const MANUAL: Manual = Manual {
         "Coons-Hermite síkgörbék saját érintőkkel",
         "Plane Coons-Hermite curves with tangents of your own",
     ),
-    intro: Words("", ""),
+    intro: Words(
+        "Görbe a kontrollpontokon át, saját érintőkkel. Tegyen le három pontot, kérjen automatikus \
+         érintőket (I), rajzoljon görbét (G), aztán húzza az egyik érintő végét. Két szomszédos pont és \
+         érintőjük egy harmadfokú Hermite-ívet ad; a közös érintő miatt az ívek simán csatlakoznak.",
+        "A curve through its control points with tangents of your own. Put down three points, ask for \
+         automatic tangents (I), draw a curve (G), then drag the tip of a tangent. Two neighbouring \
+         points and their tangents give a Hermite cubic; spans share a tangent, so they join smoothly.",
+    ),
     keys: curve::TANGENT_KEYS,
     lesson: &[],
 };

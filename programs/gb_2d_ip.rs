@@ -12,7 +12,14 @@ const MANUAL: Manual = Manual {
         "Síkgörbék: Coons, Bézier, spline, B-spline",
         "Plane curves: Coons, Bézier, spline, B-spline",
     ),
-    intro: Words("", ""),
+    intro: Words(
+        "Görbe a kontrollpontokon át vagy a közelükben. Tegyen le öt pontot, nyomja le sorban: G, N, 3, \
+         aztán húzzon el egy pontot. A Coons-görbe és a spline átmegy a pontokon, a Bézier és a B-spline \
+         közelíti őket; egy pont a Coons- és B-spline görbének csak a környékét mozgatja.",
+        "A curve through control points or near them. Put down five points, press G, N and 3, then drag \
+         one of them. Coons curves and splines pass through the points, Bézier curves and B-splines \
+         approximate them; with Coons and B-spline a point moves only the spans around it.",
+    ),
     keys: curve::METHOD_KEYS,
     lesson: &[],
 };

@@ -12,7 +12,14 @@ const MANUAL: Manual = Manual {
         "Térbeli béta-spline eltolással és feszültséggel",
         "Beta-splines in space with bias and tension",
     ),
-    intro: Words("", ""),
+    intro: Words(
+        "Térgörbe a kontrollpontok közelében, amelyet két szám formál. Nyisson meg egy példát (B.IP3), \
+         nyomja le: G, N, aztán C, 10, Enter. Az érintő és a görbület folytonos marad: a feszültség a \
+         pontokhoz húzza a görbét, az 1-nél nagyobb eltolás az előző pontok felé.",
+        "A curve in space near its control points, shaped by two numbers. Open a sample (B.IP3), press G \
+         and N, then C, 10 and Enter. Direction and curvature stay continuous: tension pulls the curve to \
+         its points, a bias above 1 pulls it towards the points before.",
+    ),
     keys: curve::SPACE_BETA_KEYS,
     lesson: &[],
 };

@@ -13,7 +13,14 @@ const MANUAL: Manual = Manual {
         "Térgörbék: Coons, Bézier, spline, B-spline",
         "Curves in space: Coons, Bézier, spline, B-spline",
     ),
-    intro: Words("", ""),
+    intro: Words(
+        "Térgörbe a kontrollpontokon át vagy a közelükben. Nyisson meg egy példát (A.IP3), nyomja le \
+         sorban: G, N, 3, aztán forgassa a nyilakkal. A módszerek a síkból ismertek: a Coons-görbe és a \
+         spline átmegy a pontokon, a Bézier és a B-spline közelíti őket.",
+        "A curve in space, through control points or near them. Open a sample (A.IP3), press G, N and 3, \
+         then turn the curve with the arrows. The methods are those of the plane: Coons curves and \
+         splines pass through the points, Bézier curves and B-splines approximate them.",
+    ),
     keys: curve::SPACE_METHOD_KEYS,
     lesson: &[],
 };

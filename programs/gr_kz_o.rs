@@ -13,7 +13,14 @@ const MANUAL: Manual = Manual {
         "Grafikus kurzor OR és XOR művelettel, mentett háttérrel",
         "A graphic cursor by or and exclusive-or, background saved",
     ),
-    intro: Words("", ""),
+    intro: Words(
+        "Egy kurzor, amely minden háttéren ugyanolyan: fehér kereszt fekete szegéllyel. Vigye végig a \
+         foltokon az egérrel vagy a nyilakkal. A VAGY (OR) fehérre állítja, a KIZÁRÓ VAGY (XOR) a \
+         szegélyét feketére; a hátteret ezért előbb el kell menteni.",
+        "A cursor that looks the same on every background: a white cross with a black border. Move it \
+         over the patches with the mouse or the arrows. OR makes it white, exclusive-or (XOR) makes its \
+         border black; so the background has to be saved first.",
+    ),
     keys: cursor::KEYS,
     lesson: &[
         Lesson::Line(Words(

@@ -9,7 +9,14 @@ use crate::ui::{CommandLine, Demo, Lesson, Manual, Program, Words, without_docum
 const MANUAL: Manual = Manual {
     name: "gr_kz_x",
     about: Words("Grafikus kurzor XOR művelettel", "A graphic cursor by exclusive-or"),
-    intro: Words("", ""),
+    intro: Words(
+        "Egy kurzor, amely KIZÁRÓ VAGY (XOR) művelettel kerül a képernyőre. Vigye végig a foltokon az \
+         egérrel vagy a nyilakkal. A fehér korong alatt minden szín az ellentettjére vált, és ugyanaz a \
+         művelet még egyszer visszaadja a hátteret: nem kell elmenteni.",
+        "A cursor that is put on the screen by exclusive-or (XOR). Move it over the patches with the \
+         mouse or the arrows. Under the white disc every colour becomes its inverse, and the same \
+         operation once more brings the background back: nothing has to be saved.",
+    ),
     keys: cursor::KEYS,
     lesson: &[
         Lesson::Line(Words(

@@ -26,8 +26,8 @@ const MANUAL: Manual = Manual {
         (Words("betűk", "letters"), Words("keresés névben és leírásban", "search in names and descriptions")),
         (Words("Backspace", "Backspace"), Words("a keresett szó utolsó betűje el", "take back a letter")),
         (Words("Enter egér", "Enter mouse"), Words("indítás", "start")),
-        (Words("Esc", "Esc"), Words("keresés vége, vége", "end of the search, end")),
-        (Words("Q", "Q"), Words("vége", "end")),
+        (Words("Esc", "Esc"), Words("keresés vége, kilépés", "end the search, quit")),
+        (Words("Q", "Q"), Words("kilépés", "quit")),
     ],
     lesson: &[],
 };
@@ -198,8 +198,8 @@ impl Picture for Menu {
         match self.search.as_str() {
             "" => {
                 let keys = Words(
-                    "Enter: indítás  betűk: keresés  F1: súgó  F2: English  Q: vége",
-                    "Enter: start  letters: search  F1: help  F2: magyar  Q: end",
+                    "Enter: indítás  betűk: keresés  F1: súgó  F2: English  Q: kilép",
+                    "Enter: start  letters: search  F1: help  F2: magyar  Q: quit",
                 );
                 screen.text(layout::LEFT, 450, keys.of(language), Color::LightGray);
             }

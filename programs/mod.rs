@@ -86,6 +86,7 @@ pub fn of_format(format: Format) -> Option<&'static Program> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::machine::Language;
 
     #[test]
     fn programs_have_names_of_their_own_and_stand_in_the_chapters_of_their_groups() {
@@ -100,6 +101,23 @@ mod tests {
     #[test]
     fn no_key_has_two_meanings() {
         assert_eq!([vjs::COMMANDS.shared_keys(), eg_kz_k::COMMANDS.shared_keys()].concat(), []);
+    }
+
+    #[test]
+    fn every_program_is_introduced_and_its_help_page_fits() {
+        // Written elsewhere, and not yet here.
+        const LATER: &[&str] = &["biliard", "gyongy_k", "csango_k"];
+        for program in ALL {
+            let name = program.manual.name;
+            for language in [Language::Hungarian, Language::English] {
+                assert_eq!(program.manual.misfits(language), [""; 0], "{name}");
+                let intro = program.manual.intro.of(language);
+                if !(intro.is_empty() && LATER.contains(&name)) {
+                    let sentences = intro.split_inclusive(['.', '!']).filter(|it| it.len() > 8).count();
+                    assert!(sentences >= 3, "{name}: {intro}");
+                }
+            }
+        }
     }
 
     #[test]

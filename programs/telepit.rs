@@ -22,7 +22,14 @@ use installer::Installer;
 const MANUAL: Manual = Manual {
     name: "telepit",
     about: Words("Telepítő: programok és példák mappába", "Installer: programs and samples into a folder"),
-    intro: Words("", ""),
+    intro: Words(
+        "A könyv programjait és példáit telepíti csoportonként egy mappába. Jelöljön ki csoportokat a \
+         szóközzel, aztán nyomja meg az Entert. Előbb mindent megtervez, és naplót vezet: ha megszakítja, \
+         vagy baj van, minden úgy lesz, ahogy előtte volt.",
+        "It installs the programs and samples of the book, by groups, into a folder. Select groups with \
+         Space, then press Enter. Everything is planned first and written into a journal: if you cancel \
+         or something fails, all is as it was before.",
+    ),
     keys: texts::HELP,
     lesson: &[],
 };

@@ -27,12 +27,12 @@ pub(super) enum Action {
 
 const DRAG: KeyHelp = (
     Words("egér", "mouse"),
-    Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; let go, it springs back"),
+    Words("a fogantyú húzása; elengedve visszaugrik", "drag the stick; released, it springs back"),
 );
 const TILT_IT: KeyHelp = (Words("nyilak", "arrows"), Words("a fogantyú döntése", "tilt the stick"));
 const UPRIGHT: KeyHelp = line("Home", "a fogantyú középre", "stick upright");
 const RESTART: KeyHelp = (Words("szóköz", "space"), Words("minden az elejéről", "start again"));
-const END: KeyHelp = line("Q Esc", "vége", "end");
+const END: KeyHelp = line("Q Esc", "kilépés", "quit");
 
 pub(super) const COMMANDS: Commands<Action> = Commands(&[
     Command::told(DRAG),
@@ -49,7 +49,14 @@ pub(super) const COMMANDS: Commands<Action> = Commands(&[
 const MANUAL: Manual = Manual {
     name: "vjs",
     about: Words("Virtuális joystick: gyorsulás egérrel", "A virtual joystick: acceleration by mouse"),
-    intro: Words("", ""),
+    intro: Words(
+        "Egy joystick az egérrel: a fogantyú egy pont gyorsulását adja meg. Húzza ki a fogantyút, \
+         figyelje a számokat, aztán engedje el. Állandó gyorsulásnál a sebesség egyenletesen, az út az \
+         idő négyzetével nő; elengedve a pont megtartja a sebességét, és visszapattan a falról.",
+        "A joystick made of the mouse: its stick gives a point its acceleration. Drag the stick, watch \
+         the numbers, then let go. Under a constant acceleration the velocity grows evenly, the distance \
+         with the square of time; let go, the point keeps its velocity until a wall.",
+    ),
     keys: &COMMANDS.help::<{ COMMANDS.lines() }>(),
     lesson: &[
         Lesson::Line(Words(
@@ -171,5 +178,14 @@ async fn run(machine: &mut Machine) -> Asked<()> {
             Some(Action::Upright) if !joystick.held => joystick.tilt(0, 0),
             _ => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_key_has_two_meanings() {
+        assert_eq!(super::COMMANDS.shared_keys(), []);
+        assert_eq!(super::COMMANDS.too_wide(), [""; 0]);
     }
 }

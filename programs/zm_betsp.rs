@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_betsp",
         about: Words("Gömb topológiájú béta-spline felület", "Beta-spline surfaces closed like a sphere"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gömb módjára zárt felület 8 délgörbe pontjainak közelében. Nyomja le: F, T, aztán C, U, 10, \
+             Enter, és újra: F, T. A feszültség a hálóhoz húzza a felületet, az eltolás az egyik irányba \
+             tolja; a pólusok mögötti segédpontok zárják be.",
+            "A surface closed like a sphere, near the points of 8 meridians. Press F and T, then C, U, 10 \
+             and Enter, then F and T again. Tension pulls the surface to the net, bias shifts it along \
+             the net; auxiliary points beyond the poles close it.",
+        ),
         keys: net::BETA_KEYS,
         lesson: &[],
     },

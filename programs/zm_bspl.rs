@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_bspl",
         about: Words("Gömb topológiájú B-spline felület", "B-spline surfaces closed like a sphere"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gömb módjára zárt felület 8 délgörbe pontjainak közelében. Nyomja le: F, 3, T, aztán húzzon \
+             el egy pontot, és forgasson a nyilakkal. Egy pont csak a környékét mozgatja; harmadfokon \
+             mindkét pólusnál lyuk marad, ahogy a könyvben: az F4 bezárja.",
+            "A surface closed like a sphere, near the points of 8 meridians. Press F, 3 and T, then drag \
+             a point and turn the surface with the arrows. A point moves only what is near it; degree 3 \
+             leaves a hole at either pole, as in the book: F4 closes it.",
+        ),
         keys: net::B_SPLINE_KEYS,
         lesson: &[],
     },

@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_hspl",
         about: Words("Gömb topológiájú helyi spline felület", "Surfaces like a sphere by local splines"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gömb módjára zárt felület 8 délgörbe pontjain át. Nyomja le: F, T, aztán C, U, 1, Enter, és \
+             újra: F, T. Az érintők a szomszédok különbségei k0-val szorozva, a póluson túl a szemközti \
+             délgörbe a szomszéd; egy pont csak a környékét mozgatja.",
+            "A surface closed like a sphere, through the points of 8 meridians. Press F and T, then C, U, \
+             1 and Enter, then F and T again. Tangents are k0 times the difference of the neighbours, \
+             beyond a pole those of the opposite meridian; a point moves only what is near it.",
+        ),
         keys: net::LOCAL_KEYS,
         lesson: &[],
     },

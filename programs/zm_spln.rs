@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zm_spln",
         about: Words("Gömb topológiájú spline felület", "Spline surfaces closed like a sphere"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gömb módjára zárt felület 8 délgörbe pontjain át. Húzzon el egy pontot, nyomja le: F, T, \
+             aztán forgassa a felületet a nyilakkal. A szemközti délgörbék egy-egy zárt köbös spline-ná \
+             kapcsolódnak a pólusokon át, és körben is zárt spline-ok futnak.",
+            "A surface closed like a sphere, through the points of 8 meridians. Drag a point, press F and \
+             T, then turn the surface with the arrows. Opposite meridians join over the poles into closed \
+             cubic splines, and closed splines run around too.",
+        ),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_betsp",
         about: Words("Gyűrű topológiájú béta-spline felület", "Beta-spline surfaces closed like a ring"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gyűrű módjára zárt felület a cső körüli 8 kör pontjainak közelében. Nyomja le: F, T, aztán \
+             C, U, 10, Enter, és újra: F, T. A köbös B-spline általánosítása: a feszültség a hálóhoz \
+             húzza, az eltolás az egyik irányba tolja a felületet.",
+            "A surface closed like a ring, near the points of 8 circles around its tube. Press F and T, \
+             then C, U, 10 and Enter, then F and T again. It generalises the cubic B-spline: tension \
+             pulls the surface to the net, bias shifts it along the net.",
+        ),
         keys: net::BETA_KEYS,
         lesson: &[],
     },

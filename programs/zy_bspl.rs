@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_bspl",
         about: Words("Gyűrű topológiájú B-spline felület", "B-spline surfaces closed like a ring"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gyűrű módjára zárt felület a cső körüli 8 kör pontjainak közelében. Nyomja le: F, 3, T, \
+             aztán húzzon el egy pontot, és forgasson a nyilakkal. Egy pont csak a környékét mozgatja; \
+             másodfokon az érintősík, harmadfokon a görbület is folytonos, és sehol sincs perem.",
+            "A surface closed like a ring, near the points of 8 circles around its tube. Press F, 3 and \
+             T, then drag a point and turn the surface with the arrows. A point moves only what is near \
+             it; degree 2 keeps the tangent plane continuous, degree 3 the curvature too.",
+        ),
         keys: net::B_SPLINE_KEYS,
         lesson: &[],
     },

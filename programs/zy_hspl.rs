@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_hspl",
         about: Words("Gyűrű topológiájú helyi spline felület", "Surfaces like a ring by local splines"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gyűrű módjára zárt felület: a cső körüli 8 kör pontjain megy át. Nyomja le: F, T, aztán C, \
+             U, 1, Enter, és újra: F, T. Az érintők a szomszédok különbségei k0-val szorozva: egy pont \
+             csak a környékét mozgatja, de a görbület a foltok között ugrik.",
+            "A surface closed like a ring, through the points of 8 circles around its tube. Press F and \
+             T, then C, U, 1 and Enter, then F and T again. Tangents are k0 times the difference of the \
+             neighbours: a point moves only what is near it, but the curvature jumps between patches.",
+        ),
         keys: net::LOCAL_KEYS,
         lesson: &[],
     },

@@ -10,7 +10,14 @@ const PLAN: Plan = Plan {
     manual: Manual {
         name: "zy_spln",
         about: Words("Gyűrű topológiájú spline felület", "Spline surfaces closed like a ring"),
-        intro: Words("", ""),
+        intro: Words(
+            "Gyűrű módjára zárt felület: a cső körüli 8 kör pontjain megy át. Húzzon el egy pontot, \
+             nyomja le: F, T, aztán forgassa a felületet a nyilakkal. Zárt köbös spline-ok futnak mindkét \
+             irányban: sehol sincs perem, a görbület folytonos, de egy pont az egész felületet mozgatja.",
+            "A surface closed like a ring, through the points of 8 circles around its tube. Drag a point, \
+             press F and T, then turn the surface with the arrows. Closed cubic splines run in both \
+             directions: no border, continuous curvature, and one point moves the whole surface.",
+        ),
         keys: net::FINER_KEYS,
         lesson: &[],
     },

@@ -98,7 +98,7 @@ fn kill_after(number: u64) -> Duration {
     // The next start offers it and takes it up.
     let mut terminal = started(&scratch.0, &[]);
     if found > 0.0 {
-        terminal.wait_for("broke");
+        terminal.wait_for("unexpectedly");
         terminal.send("i");
         terminal.wait_for("-change");
         terminal.send(UP);
@@ -148,7 +148,7 @@ fn a_closed_terminal_loses_nothing_and_a_running_session_is_not_offered() {
 
     // Saved, it is not kept any more.
     let mut terminal = started(&scratch.0, &[]);
-    terminal.wait_for("broke");
+    terminal.wait_for("unexpectedly");
     terminal.send("i");
     terminal.wait_for("-change");
     terminal.send("\x13");

@@ -46,7 +46,7 @@ fn a_plain_command_installs_what_starts() {
         assert!(text.contains(&format!("Usage: {program}")), "{name}: {text}");
     }
     let again = String::from_utf8(run(TELEPIT, &[folder, "--groups", "gb_2d"]).stdout).unwrap();
-    assert!(again.contains("0 files into") && again.contains("were there already"), "{again}");
+    assert!(again.contains("0 files into") && again.contains("were already there"), "{again}");
     fs::remove_dir_all(root).unwrap();
 }
 
@@ -190,7 +190,7 @@ fn a_visit_to_the_installer() {
     terminal.wait_for("Szóköz jelöl");
     terminal.wait_for("GR_KZ_X GR_KZ_O");
     terminal.send(F2);
-    terminal.wait_for("Space marks");
+    terminal.wait_for("Space select");
     terminal.send(&format!("{DOWN} "));
     terminal.wait_for("V GB_2D");
     // A click chooses, a second one marks: JATEK is the seventh line.
@@ -202,7 +202,7 @@ fn a_visit_to_the_installer() {
     terminal.wait_for("at least 48x12");
     terminal.resize(100, 30);
     terminal.send("\r");
-    terminal.wait_for("Where do you wish to install");
+    terminal.wait_for("Where should the programs");
     terminal.wait_for("new");
     terminal.send("\r");
     terminal.wait_for("files into");
@@ -219,9 +219,9 @@ fn cancelling_at_a_question_undoes_everything() {
     fs::create_dir(root.join("GB_2D")).unwrap();
     fs::write(root.join("GB_2D/C.IP2"), b"mine").unwrap();
     let mut terminal = started(80, 25, GRAFIKA, &["install", "--lang", "en", root.to_str().unwrap()]);
-    terminal.wait_for("Space marks");
+    terminal.wait_for("Space select");
     terminal.send("*\r");
-    terminal.wait_for("Where do you wish");
+    terminal.wait_for("Where should the");
     terminal.send("\r");
     terminal.wait_for("Overwrite it?");
     assert!(root.join("GB_2D/B.IP2").exists());
@@ -240,7 +240,7 @@ fn a_signal_undoes_everything() {
     fs::create_dir(root.join("JATEK")).unwrap();
     fs::write(root.join("JATEK/B.CSK"), b"mine").unwrap();
     let mut terminal = started(80, 25, TELEPIT, &["--lang", "en", root.to_str().unwrap()]);
-    terminal.wait_for("Space marks");
+    terminal.wait_for("Space select");
     terminal.send("*\r\r");
     terminal.wait_for("Overwrite it?");
     let process = terminal.child.process_id().unwrap().to_string();

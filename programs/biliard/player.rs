@@ -298,7 +298,7 @@ impl Player {
         let stopped = self.rolling.take().is_some_and(|rolling| rolling.pace == Pace::Full);
         self.games.touch();
         if !stopped && !self.games.undo() {
-            desk.tell(words::NO_MORE, Stay::Briefly);
+            desk.tell(words::NO_UNDO, Stay::Briefly);
         }
     }
 
@@ -306,7 +306,7 @@ impl Player {
         self.grip = None;
         self.come_to_rest();
         if !self.games.redo() {
-            desk.tell(words::NO_MORE, Stay::Briefly);
+            desk.tell(words::NO_REDO, Stay::Briefly);
         }
     }
 
@@ -345,5 +345,6 @@ mod tests {
     #[test]
     fn no_key_has_two_meanings() {
         assert_eq!(super::COMMANDS.shared_keys(), []);
+        assert_eq!(super::COMMANDS.too_wide(), [""; 0]);
     }
 }

@@ -7,8 +7,9 @@ use crate::ui::{KeyHelp, Words, line};
 pub(crate) const SHOOT: KeyHelp =
     (Words("egér", "mouse"), Words("lökés: a golyó képének húzása", "shot: drag a ball's ghost away"));
 pub(crate) const BACK: KeyHelp =
-    line("Esc", "húzás közben: mégsem; különben vége", "while dragging: no shot; else the end");
-pub(crate) const SKIP: KeyHelp = line("Enter", "a mozgás végére ugrik", "on to where the balls come to rest");
+    line("Esc", "húzás közben: mégsem; különben kilépés", "while dragging: no shot; otherwise quit");
+pub(crate) const SKIP: KeyHelp =
+    line("Enter", "a mozgás végére ugrik", "skip to where the balls come to rest");
 pub(crate) const LINE: KeyHelp = line("A", "célzóvonal be, ki", "aiming line on, off");
 pub(crate) const SLOWLY: KeyHelp = line("R", "az utolsó lökés lassítva", "the last shot in slow motion");
 pub(crate) const ROUGH: KeyHelp = line("S", "érdes golyók: fals be, ki", "rough balls: spin on, off");
@@ -17,15 +18,15 @@ pub(crate) const SPIN: KeyHelp =
 pub(crate) const POINTS: KeyHelp = line("P", "két játékos pontra, vissza", "two players with points, back");
 pub(crate) const RACK: KeyHelp = line("N", "új felállítás", "a new rack");
 pub(crate) const FILES: KeyHelp = line("Ctrl+S Ctrl+O", "mentés, betöltés (.JSON)", "save, load (.JSON)");
-pub(crate) const UNDO: KeyHelp = line("Ctrl+Z Ctrl+Y", "a lökés visszavonása, mégis", "undo, redo the shot");
-pub(crate) const END: KeyHelp = line("Q", "vége", "end");
+pub(crate) const UNDO: KeyHelp = line("Ctrl+Z Ctrl+Y", "a lökés visszavonása, újra", "undo, redo the shot");
+pub(crate) const END: KeyHelp = line("Q", "kilépés", "quit");
 
-pub(crate) const ASK_NEW: Words = Words("      Új felállítás ?", "         New rack ?");
-pub(crate) const ASK_SAVE: Words = Words("     Menteni a játékot ?", "      Save the game ?");
-pub(crate) const NO_SHOT: Words = Words("Még nem volt lökés", "There was no shot yet");
+pub(crate) const ASK_NEW: Words = Words("      Új felállítás ?", "         New rack?");
+pub(crate) const ASK_SAVE: Words = Words("     Menteni a játékot ?", "       Save the game?");
+pub(crate) const NO_SHOT: Words = Words("Még nem volt lökés", "No shot yet");
 pub(crate) const SAVED: Words = Words("Elmentve", "Saved");
 pub(crate) const REPLAY: Words = Words("Lassítva", "Slow motion");
-pub(crate) const NO_DOCUMENT: Words = Words("Ez nem biliárdjátszma", "This is no game of billiards");
+pub(crate) const NO_DOCUMENT: Words = Words("Ez nem biliárdjátszma", "This is not a game of billiards");
 
 /// The line above the table: whose turn it is and the points.
 pub(crate) fn score(points: &Points, language: Language) -> String {

@@ -477,5 +477,6 @@ mod tests {
     #[test]
     fn no_key_has_two_meanings() {
         assert_eq!(super::COMMANDS.shared_keys(), []);
+        assert_eq!(super::COMMANDS.too_wide(), [""; 0]);
     }
 }

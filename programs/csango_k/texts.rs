@@ -19,7 +19,7 @@ pub(crate) const LIFT: KeyHelp =
     (Words("görgő", "wheel"), Words("az elem emelése, süllyesztése", "lift the piece, lower it"));
 pub(crate) const LOOK: KeyHelp = line("← → ↑ ↓", "nézőpont", "point of view");
 pub(crate) const RIGID: KeyHelp =
-    line("F3", "merev forgatás: semmin sem megy át", "rigid turns: through nothing, on or off");
+    line("F3", "merev forgatás, semmin sem megy át: be, ki", "rigid turns, through nothing: on, off");
 pub(crate) const HINT: KeyHelp = line("F4", "tipp: a következő lépés", "hint: the next move");
 pub(crate) const SOLVE: KeyHelp =
     line("F5", "megoldás lejátszása; Esc megállítja", "play a solution; Esc stops it");
@@ -30,10 +30,10 @@ pub(crate) const LOGO: Words = Words("Emőke játéka", "Emőke's game");
 pub(crate) const LEAVE: Words = Words("kilép", " quit");
 pub(crate) const SELECTION: Words = Words("Kiválasztás", " Selection");
 pub(crate) const NO_CUBE: Words =
-    Words("Ebben a fileban nincs Csángó kocka", "This file holds no position of the Csángó cube");
+    Words("Ebben a fájlban nincs Csángó kocka", "This file holds no position of the Csángó cube");
 pub(crate) const FINISHED: Words = Words("Kész a kocka!", "The cube is finished!");
 pub(crate) const ALREADY: Words = Words("A kocka kész", "The cube is finished");
-pub(crate) const NO_WAY: Words = Words("Nem találok megoldást", "I find no solution");
+pub(crate) const NO_WAY: Words = Words("Nem találok megoldást", "No solution found");
 pub(crate) const RIGID_ON: Words = Words("A forgatás merev", "Turns are rigid");
 pub(crate) const RIGID_OFF: Words = Words("A forgatás átmegy máson", "Turns go through others");
 pub(crate) const STOPPED: Words = Words("Megállítva", "Stopped");

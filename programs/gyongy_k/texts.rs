@@ -14,12 +14,12 @@ pub(crate) const CLICK: KeyHelp = (
     Words("egér", "mouse"),
     Words("kattintás a fiókra, a kerék betűire", "click a drawer or a letter of the wheel"),
 );
-pub(crate) const UNDO: KeyHelp = line("Ctrl+Z Ctrl+Y", "lépés visszavonása, mégis", "undo, redo a move");
-pub(crate) const RESTART: KeyHelp = line("R", "a feladat elölről", "the problem from its start");
+pub(crate) const UNDO: KeyHelp = line("Ctrl+Z Ctrl+Y", "lépés visszavonása, újra", "undo, redo a move");
+pub(crate) const RESTART: KeyHelp = line("R", "a feladat elölről", "start the problem again");
 pub(crate) const NEW_PROBLEM: KeyHelp =
     line("U", "új feladat: nehézség, sorszám", "a new problem: difficulty, number");
 pub(crate) const HINT: KeyHelp = line("H", "segítség: a következő lépés", "hint: the next move");
-pub(crate) const SOLVE: KeyHelp = line("S", "megoldás keresése és lejátszása", "search and play a solution");
+pub(crate) const SOLVE: KeyHelp = line("S", "megoldás keresése és lejátszása", "find and play a solution");
 pub(crate) const DEMONSTRATE: KeyHelp = line("X", "bemutató", "demonstration");
 pub(crate) const SAVE: KeyHelp = line("Ctrl+S", "mentés (.GYK)", "save (.GYK)");
 pub(crate) const STOP: KeyHelp = (
@@ -30,13 +30,13 @@ pub(crate) const STOP: KeyHelp = (
     ),
 );
 
-pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "      Configuration ?");
+pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "    What would you like?");
 pub(crate) const PLAY: Hot = Hot::new('J', "áték", "-game");
 pub(crate) const LEARN: Hot = Hot::new('T', "anulás", "-learn");
 pub(crate) const DEMONSTRATION: Hot = Hot::new('X', "-bemut.", "-demo");
 pub(crate) const QUIT: Hot = Hot::new('Q', "-kilép", "-quit");
 
-pub(crate) const ASK_DIFFICULTY: Words = Words("Hány lépésre a megoldástól ?", "How many moves away ?");
+pub(crate) const ASK_DIFFICULTY: Words = Words("Hány lépésre a megoldástól ?", "How many moves away?");
 pub(crate) const DIFFICULTIES: [(Hot, Difficulty); 5] = [
     (Hot::new('4', "", ""), Difficulty::Four),
     (Hot::new('8', "", ""), Difficulty::Eight),
@@ -46,9 +46,9 @@ pub(crate) const DIFFICULTIES: [(Hot, Difficulty); 5] = [
 ];
 pub(crate) const NUMBER: Words = Words("Sorszám:", "Number:");
 
-pub(crate) const IS_SOLVED: Words = Words("Már ki van rakva", "It is solved already");
+pub(crate) const IS_SOLVED: Words = Words("Már ki van rakva", "Already solved");
 pub(crate) const NO_WHEEL: Words =
-    Words("ebben a fileban nincs gyöngykerék", "this file holds no bead wheel; there should be a .GYK");
+    Words("ebben a fájlban nincs gyöngykerék", "this file holds no bead wheel; there should be a .GYK");
 pub(crate) const SEARCH: Words = Words("Keresés      Esc - elég", "Searching    Esc - stop");
 pub(crate) const SHOWN: Words = Words("Bemutató", "Demonstration");
 pub(crate) const TAKE_OVER: Words = Words("Esc - átveszem", "Esc - take over");

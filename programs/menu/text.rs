@@ -18,7 +18,7 @@ const KEYS: [(Key, Words, Words); 4] = [
     (Key::Enter, Words("Enter", "Enter"), Words("indítás", "start")),
     (Key::Down, Words("A-Z", "A-Z"), Words("keresés", "search")),
     (Key::F(2), Words("F2", "F2"), Words("English", "magyar")),
-    (Key::Esc, Words("Esc", "Esc"), Words("vége", "end")),
+    (Key::Esc, Words("Esc", "Esc"), Words("kilép", "quit")),
 ];
 
 /// A line of the list, with what it stands for.
@@ -158,7 +158,7 @@ impl TextProgram for TextMenu {
         let overlay = self.message.as_ref().map(|message| Overlay::Message {
             title: "GRAFIKA".into(),
             lines: vec![message.clone()],
-            answers: vec![("Enter".into(), Words("tovább", "go on").of(language).into())],
+            answers: vec![("Enter".into(), Words("tovább", "continue").of(language).into())],
         });
         Page {
             language,

@@ -12,36 +12,36 @@ pub(crate) const TITLE: Words = Words(
 );
 pub(crate) const GROUPS: Words = Words("Csoportok", "Groups");
 pub(crate) const WHERE: Words =
-    Words("Hova kívánja a példákat telepíteni?", "Where do you wish to install the programs?");
+    Words("Hova kívánja a példákat telepíteni?", "Where should the programs be installed?");
 pub(crate) const NONE_MARKED: Words = Words(
     "Nincs kijelölt csoport: a szóköz jelöl ki egyet, a * mindet.",
-    "No group is marked: Space marks one, * marks all.",
+    "No group is selected: Space selects one, * selects all.",
 );
 pub(crate) const INSTALLING: Words = Words("Telepítés", "Installing");
-pub(crate) const EXISTS: Words = Words("Már van ilyen file", "There is such a file");
+pub(crate) const EXISTS: Words = Words("Már van ilyen fájl", "File exists");
 pub(crate) const OVERWRITE: Words = Words("Felülírja?", "Overwrite it?");
 pub(crate) const DONE: Words = Words("Kész", "Done");
-pub(crate) const NOT_DONE: Words = Words("Nem sikerült", "It failed");
+pub(crate) const NOT_DONE: Words = Words("Nem sikerült", "Failed");
 pub(crate) const CANCELLED: Words = Words("Megszakítva", "Cancelled");
 pub(crate) const AS_BEFORE: Words =
     Words("Minden úgy van, ahogy előtte volt.", "Everything is as it was before.");
-pub(crate) const GO_ON: Words = Words("tovább", "go on");
+pub(crate) const GO_ON: Words = Words("tovább", "continue");
 
 /// The keys of the list: what each does, and how the last line calls it.
 pub(crate) const KEYS: [(Key, Words, Words); 5] = [
-    (Key::Char(' '), Words("Szóköz", "Space"), Words("jelöl", "marks")),
+    (Key::Char(' '), Words("Szóköz", "Space"), Words("jelöl", "select")),
     (Key::Char('*'), Words("*", "*"), Words("mind", "all")),
-    (Key::Enter, Words("Enter", "Enter"), Words("tovább", "goes on")),
+    (Key::Enter, Words("Enter", "Enter"), Words("tovább", "continue")),
     (Key::F(2), Words("F2", "F2"), Words("English", "magyar")),
-    (Key::Esc, Words("Esc", "Esc"), Words("vége", "end")),
+    (Key::Esc, Words("Esc", "Esc"), Words("kilép", "quit")),
 ];
 
 /// The keys for the help page and the manual page.
 pub(crate) const HELP: &[KeyHelp] = &[
     (Words("Fel Le", "Up Down"), Words("csoport választása", "choose a group")),
-    (Words("Szóköz", "Space"), Words("kijelölés, illetve törlése", "mark or unmark it")),
-    (Words("*", "*"), Words("mindegyik kijelölése, illetve törlése", "mark or unmark all")),
-    (Words("Enter", "Enter"), Words("tovább", "go on")),
+    (Words("Szóköz", "Space"), Words("kijelölés, illetve törlése", "select or deselect it")),
+    (Words("*", "*"), Words("mindegyik kijelölése, illetve törlése", "select or deselect all")),
+    (Words("Enter", "Enter"), Words("tovább", "continue")),
     (Words("F2", "F2"), Words("magyar vagy angol", "Hungarian or English")),
     (Words("Esc", "Esc"), Words("vissza; telepítés közben megszakítás", "back; while installing, cancel")),
 ];
@@ -89,7 +89,7 @@ pub(crate) fn summary(group: &Group, language: Language) -> Vec<String> {
     }
     lines.push(String::new());
     lines.push(match language {
-        Language::Hungarian => format!("{files} file, a példák {bytes} byte", bytes = grouped(bytes)),
+        Language::Hungarian => format!("{files} fájl, a példák {bytes} bájt", bytes = grouped(bytes)),
         Language::English => format!("{files} files, the samples {bytes} bytes", bytes = grouped(bytes)),
     });
     lines
@@ -111,12 +111,12 @@ pub(crate) fn report(report: &Report, root: &Path) -> Vec<Phrase> {
     let Report { written, same, kept, left_over } = report;
     let root = root.display();
     let mut lines =
-        vec![Phrase::new(format!("{written} file ide: {root}"), format!("{written} files into {root}"))];
+        vec![Phrase::new(format!("{written} fájl ide: {root}"), format!("{written} files into {root}"))];
     if *same > 0 {
-        lines.push(Phrase::new(format!("{same} már ott volt"), format!("{same} were there already")));
+        lines.push(Phrase::new(format!("{same} már ott volt"), format!("{same} were already there")));
     }
     if *kept > 0 {
-        lines.push(Phrase::new(format!("{kept} a régi maradt"), format!("{kept} stayed the old ones")));
+        lines.push(Phrase::new(format!("{kept} régi megmaradt"), format!("{kept} old ones were kept")));
     }
     for problem in left_over {
         lines.push(Phrase::new(format!("Nem törölhető: {problem}"), format!("Not removed: {problem}")));

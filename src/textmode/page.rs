@@ -382,10 +382,10 @@ fn too_small(language: Language, area: Rect) -> String {
     let Rect { width, height, .. } = area;
     match language {
         Language::Hungarian => {
-            format!("A terminál {width}x{height} karakteres, legalább {columns}x{rows} kell. Esc: vége")
+            format!("A terminál {width}x{height} karakteres, legalább {columns}x{rows} kell. Esc: kilépés")
         }
         Language::English => {
-            format!("The terminal is {width}x{height}; at least {columns}x{rows} is needed. Esc: end")
+            format!("The terminal is {width}x{height}; at least {columns}x{rows} are needed. Esc: quit")
         }
     }
 }

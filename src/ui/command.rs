@@ -104,6 +104,15 @@ impl<A: Copy> Commands<A> {
         help
     }
 
+    /// Texts that are wider than their buttons, which are errors of the table.
+    pub fn too_wide(&self) -> Vec<String> {
+        let buttons = self.0.iter().filter_map(|command| command.button);
+        let pairs =
+            buttons.flat_map(|button| [Language::Hungarian, Language::English].map(|it| (button, it)));
+        let wide = pairs.filter(|(button, language)| !button.fits(*language));
+        wide.map(|(Button { text, .. }, it)| format!("{}{}", text.letter, text.rest.of(it))).collect()
+    }
+
     /// The keys of more than one command, which are errors of the table.
     pub fn shared_keys(&self) -> Vec<Key> {
         let keys: Vec<Key> = self.0.iter().flat_map(Command::keys).collect();
@@ -139,6 +148,14 @@ mod tests {
         assert_eq!(find(Event::Press(crate::machine::Button::Left)), Some(1));
         assert_eq!(find(Event::Key(Key::Char('x'))), None);
         assert_eq!(LINES.len(), 2);
+    }
+
+    #[test]
+    fn a_text_wider_than_its_button_is_found() {
+        assert!(TABLE.too_wide().is_empty());
+        const WIDE: Button = Button::new(10, 10, Hot::new('A', "-kilences", "-eighty"));
+        const TABLE_WIDE: Commands<u8> = Commands(&[Command::button(WIDE, HELP, 1)]);
+        assert_eq!(TABLE_WIDE.too_wide(), ["A-kilences"]);
     }
 
     #[test]

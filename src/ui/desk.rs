@@ -329,20 +329,29 @@ const COMMON_KEYS: &[KeyHelp] = &[
 
 /// Upper edge of the introduction on the help page.
 const INTRO_TOP: i32 = 68;
+/// Lines of the introduction at most.
+#[cfg(test)]
+const INTRO_LINES: usize = 4;
 /// Letters in a line of the introduction.
 const INTRO_LETTERS: usize = 70;
 
-fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
-    screen.clear(Color::LightCyan);
-    let inner = super::frame::Area::new(16, 16, WIDTH - 17, HEIGHT - 17);
-    screen.bar(inner.x1, inner.y1, inner.x2, inner.y2, Color::Black);
-    super::frame::sunken(screen, inner, 4);
-    screen.text(40, 36, &manual.name.to_uppercase(), Color::Yellow);
-    screen.text(40, 52, manual.about.of(language), Color::White);
+/// Left edge of the help page's texts, and of what its keys do.
+const COLUMNS: [i32; 2] = [40, 176];
+
+/// A text of the help page: where its first letter stands, and its colour.
+type Placed = ((i32, i32), String, Color);
+
+/// The texts of the help page, and where the lesson begins.
+fn help_texts(manual: &Manual, language: Language) -> (Vec<Placed>, i32) {
+    let [left, right] = COLUMNS;
+    let mut texts = vec![
+        ((left, 36), manual.name.to_uppercase(), Color::Yellow),
+        ((left, 52), manual.about.of(language).to_owned(), Color::White),
+    ];
     let mut y = INTRO_TOP;
     let intro = wrap(manual.intro.of(language), INTRO_LETTERS);
-    for line in intro.iter().filter(|line| !line.is_empty()) {
-        screen.text(40, y, line, Color::LightCyan);
+    for line in intro.into_iter().filter(|line| !line.is_empty()) {
+        texts.push(((left, y), line, Color::LightCyan));
         y += 11;
     }
     y += 12;
@@ -356,10 +365,59 @@ fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
     let room = HEIGHT - 48 - y - lesson::height(manual.lesson);
     let line = (room / count).clamp(9, 16);
     for (keys, what) in lines {
-        screen.text(40, y, keys.of(language), Color::LightRed);
-        screen.text(176, y, what.of(language), Color::White);
+        texts.push(((left, y), keys.of(language).to_owned(), Color::LightRed));
+        texts.push(((right, y), what.of(language).to_owned(), Color::White));
         y += line;
     }
-    lesson::draw(screen, y + 8, manual.lesson, language);
-    screen.text(40, HEIGHT - 40, words::HELP_LEAVE.of(language), Color::LightGray);
+    texts.push(((left, HELP_LEAVE_TOP), words::HELP_LEAVE.of(language).to_owned(), Color::LightGray));
+    (texts, y + 8)
+}
+
+/// Where the last line of the help page stands.
+const HELP_LEAVE_TOP: i32 = HEIGHT - 40;
+
+fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
+    screen.clear(Color::LightCyan);
+    let inner = super::frame::Area::new(16, 16, WIDTH - 17, HEIGHT - 17);
+    screen.bar(inner.x1, inner.y1, inner.x2, inner.y2, Color::Black);
+    super::frame::sunken(screen, inner, 4);
+    let (texts, top) = help_texts(manual, language);
+    for ((x, y), text, color) in &texts {
+        screen.text(*x, *y, text, *color);
+    }
+    lesson::draw(screen, top, manual.lesson, language);
+}
+
+#[cfg(test)]
+impl Manual {
+    /// What does not fit on the help page in a language.
+    pub(crate) fn misfits(&self, language: Language) -> Vec<String> {
+        let [left, right] = COLUMNS;
+        // The frame's inner edge.
+        let edge = WIDTH - 17 - 4;
+        let (texts, top) = help_texts(self, language);
+        let width = |text: &str| 8 * i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 8);
+        let is_key = |color: &Color| *color == Color::LightRed;
+        let beyond = texts
+            .iter()
+            .filter(|((x, _), text, color)| x + width(text) > if is_key(color) { right } else { edge });
+        let mut misfits: Vec<String> = beyond.map(|(_, text, _)| text.clone()).collect();
+        let lines: Vec<i32> = texts.iter().filter(|text| is_key(&text.2)).map(|((_, y), ..)| *y).collect();
+        if lines.is_sorted_by(|above, below| above + 9 <= *below) && !lines.is_empty() {
+            // The lesson has its distance to the keys in its height.
+            let bottom = top - 8 + lesson::height(self.lesson);
+            misfits.extend((bottom > HELP_LEAVE_TOP - 8).then(|| format!("the page ends at {bottom}")));
+        } else {
+            misfits.push("the keys stand too close".to_owned());
+        }
+        let lesson = self.lesson.iter().filter_map(|piece| match piece {
+            Lesson::Line(words) => Some(words.of(language)),
+            _ => None,
+        });
+        misfits.extend(lesson.filter(|text| left + width(text) > edge).map(str::to_owned));
+        if wrap(self.intro.of(language), INTRO_LETTERS).len() > INTRO_LINES {
+            misfits.push(self.intro.of(language).to_owned());
+        }
+        misfits
+    }
 }

@@ -100,7 +100,16 @@ impl Button {
 
     /// Whether a click at a pixel is on the button.
     pub fn hit(&self, x: i32, y: i32) -> bool {
-        Area::new(self.x, self.y, self.x + 70, self.y + 12).holds(x, y)
+        self.area().holds(x, y)
+    }
+
+    fn area(&self) -> Area {
+        Area::new(self.x, self.y, self.x + 70, self.y + 12)
+    }
+
+    /// Whether the text lies inside the button in a language.
+    pub fn fits(&self, language: Language) -> bool {
+        self.x + 4 + self.text.width(language) < self.area().x2
     }
 
     /// Draws the button. The original's pressed look has the same pixels as this one: a frame of one

@@ -72,4 +72,10 @@ impl Hot {
     pub const fn new(letter: char, hungarian: &'static str, english: &'static str) -> Hot {
         Hot { letter, rest: Words(hungarian, english) }
     }
+
+    /// How wide it is in a language, in pixels: letters of eight pixels, the last of which is blank.
+    pub fn width(&self, language: Language) -> i32 {
+        let rest = self.rest.of(language).trim_end().chars().count();
+        i32::try_from(8 * (1 + rest)).map_or(i32::MAX, |width| width - 1)
+    }
 }

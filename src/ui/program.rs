@@ -78,7 +78,7 @@ where
     F: for<'m> FnOnce(&'m mut Machine) -> Run<'m> + 'static,
 {
     match document {
-        Some(_) => Err(Phrase::new("ez a program file nélkül működik", "this program takes no file")),
+        Some(_) => Err(Phrase::new("ez a program fájl nélkül működik", "this program takes no file")),
         None => Ok(Box::new(run)),
     }
 }

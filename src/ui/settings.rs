@@ -15,26 +15,26 @@ const ROOM: usize = 27;
 const fn name(preference: Preference) -> Words {
     match preference {
         Preference::Language => Words("Nyelv", "Language"),
-        Preference::Display => Words("Hol jelenjen meg", "Where to show"),
-        Preference::Scale => Words("Az ablak nagyítása", "Scale of the window"),
-        Preference::Manner => Words("Viselkedés", "Manner"),
+        Preference::Display => Words("Megjelenítés", "Display"),
+        Preference::Scale => Words("Az ablak nagyítása", "Window scale"),
+        Preference::Manner => Words("Viselkedés", "Behaviour"),
         Preference::Palette => Words("Színek", "Colours"),
-        Preference::PointerSpeed => Words("Az egér lépése (betű)", "Mouse step (letters)"),
-        Preference::Folder => Words("A fileok mappája", "Folder of the files"),
+        Preference::PointerSpeed => Words("Egérlépés (karakter)", "Mouse step (characters)"),
+        Preference::Folder => Words("A fájlok mappája", "Folder for files"),
     }
 }
 
 /// What a value is called on the page.
 fn shown(preference: Preference, value: &str, language: Language) -> String {
     let words = match (preference, value) {
-        (Preference::Folder, "") => Words("(ahol indul)", "(where it starts)"),
-        (_, "auto") => Words("magától", "automatic"),
+        (Preference::Folder, "") => Words("(ahol elindul)", "(current folder)"),
+        (_, "auto") => Words("automatikus", "automatic"),
         (_, "hu") => Words("magyar", "magyar"),
         (_, "en") => Words("English", "English"),
         (_, "window") => Words("ablakban", "in a window"),
         (_, "terminal") => Words("a terminálban", "in the terminal"),
         (_, "vga") => Words("VGA", "VGA"),
-        (_, "today") => Words("mai", "of today"),
+        (_, "today") => Words("mai", "modern"),
         (_, "1997") => Words("mint 1997-ben", "as in 1997"),
         (_, "amber") => Words("borostyán", "amber"),
         (_, "green") => Words("zöld", "green"),

@@ -12,10 +12,10 @@ use std::time::Duration;
 pub(crate) const YES: Hot = Hot::new('I', "gen", "-yes");
 pub(crate) const NO: Hot = Hot::new('N', "em", "-no");
 pub(crate) const NEW: Hot = Hot::new('U', "j", "-new");
-pub(crate) const STORED: Hot = Hot::new('T', "árolt", "-file");
+pub(crate) const STORED: Hot = Hot::new('T', "árolt", "-open");
 pub(crate) const OPEN: Hot = Hot::new('N', "yitott", "-open");
-pub(crate) const CLOSED: Hot = Hot::new('Z', "árt", "-ring");
-pub(crate) const NUMBER: Hot = Hot::new('S', "orszám", "-numb.");
+pub(crate) const CLOSED: Hot = Hot::new('Z', "árt", "-loop");
+pub(crate) const NUMBER: Hot = Hot::new('S', "orszám", "-no.");
 pub(crate) const PLACE: Hot = Hot::new('H', "ely", "-place");
 pub(crate) const TWO: Hot = Hot::new('2', "", "");
 pub(crate) const THREE: Hot = Hot::new('3', "", "");
@@ -36,15 +36,15 @@ pub(crate) const B_SPLINE: Hot = Hot::new('4', " B-spl.", " B-spl.");
 
 // Questions. The blanks centre them as in the original.
 /// The question whether to end.
-pub const ASK_END: Words = Words("      Vége a munkának ?", "       End of work ?");
-pub(crate) const ASK_NEW: Words = Words("     Uj konfiguráció ?", "    New configuration ?");
-pub(crate) const ASK_SAVE: Words = Words(" Menteni a konfigurációt ?", "  Save the configuration ?");
-pub(crate) const ASK_CONFIGURATION: Words = Words("       Konfiguráció ?", "      Configuration ?");
-pub(crate) const ASK_SHAPE: Words = Words("       Görbe alakja ?", "    Shape of the curve ?");
-pub(crate) const ASK_DEGREE: Words = Words("      Polinomok foka ?", "          Degree ?");
-pub(crate) const ASK_CHANGE: Words = Words("      Mi változik ?", "       What changes ?");
-pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "   Show control points ?");
-pub(crate) const FILE_NAME: Words = Words("File neve ?", "File name ?");
+pub const ASK_END: Words = Words("      Vége a munkának ?", "           Quit?");
+pub(crate) const ASK_NEW: Words = Words("     Uj konfiguráció ?", "   Start or open another?");
+pub(crate) const ASK_SAVE: Words = Words(" Menteni a konfigurációt ?", "      Save your work?");
+pub(crate) const ASK_CONFIGURATION: Words = Words("       Konfiguráció ?", "        New or open?");
+pub(crate) const ASK_SHAPE: Words = Words("       Görbe alakja ?", "    Shape of the curve?");
+pub(crate) const ASK_DEGREE: Words = Words("      Polinomok foka ?", "          Degree?");
+pub(crate) const ASK_CHANGE: Words = Words("      Mi változik ?", "        Change what?");
+pub(crate) const ASK_POINTS: Words = Words(" Kontrollpontok látszanak ?", "    Show control points?");
+pub(crate) const FILE_NAME: Words = Words("File neve ?", "File name?");
 /// A name that no file has.
 pub const NO_SUCH_FILE: Words = Words("Nincs ilyen file", "No such file");
 
@@ -59,27 +59,27 @@ pub(crate) const LESSON_INVERSE: Words = Words("ellentett (15-c)", "inverse (15-
 
 // Entries.
 pub(crate) const NUMBER_ENTRY: Words = Words("Sorszám:", "Number:");
-pub(crate) const PLACE_ENTRY: Words = Words("Hely:", "Place");
+pub(crate) const PLACE_ENTRY: Words = Words("Hely:", "Place:");
 pub(crate) const COEFFICIENT: Words = Words("együttható = ", "coefficient =");
 
 // The plane editor.
-pub(crate) const STORE: Words = Words("Tár", "New");
+pub(crate) const STORE: Words = Words("Tár", "Points");
 pub(crate) const METHOD_TITLE: Words = Words("Interpolációs eljárás", "Interpolation method");
 pub(crate) const BACK: Words = Words("ESC - vissza", "ESC - back");
 pub(crate) const NO_DOT: Words = Words(
     "A névben nem lehet pont: legfeljebb 8 betű, szám vagy -",
-    "A name has no dot: at most 8 letters, digits or -",
+    "No dot in a name: up to 8 letters, digits or -",
 );
 
 // Figures and films.
 pub(crate) const SVG: Hot = Hot::new('S', "VG", "VG");
 pub(crate) const PNG: Hot = Hot::new('P', "NG", "NG");
 pub(crate) const PDF: Hot = Hot::new('D', " - PDF", " - PDF");
-pub(crate) const ASK_KIND: Words = Words("      Ábra formátuma ?", "       Figure format ?");
-pub(crate) const ASK_AXES: Words = Words("   Tengelyek számokkal ?", "     Axes with numbers ?");
+pub(crate) const ASK_KIND: Words = Words("      Ábra formátuma ?", "       Figure format?");
+pub(crate) const ASK_AXES: Words = Words("   Tengelyek számokkal ?", "     Axes with numbers?");
 pub(crate) const WIDTH_ENTRY: Words = Words("Szélesség képpontban:", "Width in pixels:");
 pub(crate) const TITLE_ENTRY: Words = Words("Cím (lehet üres):", "Title (may be empty):");
-pub(crate) const CAPTION_ENTRY: Words = Words("Aláírás (lehet üres):", "Caption (may be empty):");
+pub(crate) const CAPTION_ENTRY: Words = Words("Képaláírás (lehet üres):", "Caption (may be empty):");
 
 /// A figure has been saved.
 pub(crate) fn figure_saved(name: &str) -> Phrase {
@@ -104,18 +104,18 @@ pub(crate) fn film_saved(name: &str) -> Phrase {
 /// A film has come to the end of its room, and has been saved.
 pub(crate) fn film_full(name: &str) -> Phrase {
     Phrase::new(
-        format!("Film: {name}. Magától ért véget: legfeljebb 10 perc vagy 64 MB lehet"),
-        format!("Film: {name}. It ended by itself: there can be 10 minutes or 64 MB at most"),
+        format!("Film: {name}. Automatikusan leállt: legfeljebb 10 perc vagy 64 MB lehet"),
+        format!("Film: {name}. It has stopped: the limit is 10 minutes or 64 MB"),
     )
 }
 
 // The help page.
 pub(crate) const HELP_SETTINGS: Words = Words("beállítások", "settings");
 pub(crate) const HELP_FIGURE: Words = Words("ábra mentése: SVG, PNG, PDF", "save a figure: SVG, PNG, PDF");
-pub(crate) const HELP_FILM: Words = Words("film (GIF) kezdete, vége", "film (GIF): start, end");
-pub(crate) const HELP_UNDO: Words = Words("visszavonás, mégis", "undo, redo");
+pub(crate) const HELP_FILM: Words = Words("film (GIF) indítása, leállítása", "film (GIF): start, stop");
+pub(crate) const HELP_UNDO: Words = Words("visszavonás, újra", "undo, redo");
 // The settings page.
-pub(crate) const SETTINGS: Words = Words("Beállítások minden programhoz", "Settings of all programs");
+pub(crate) const SETTINGS: Words = Words("Beállítások minden programhoz", "Settings for all programs");
 pub(crate) const SETTINGS_KEYS: Words =
     Words("Fel, Le; Bal, Jobb: változtat; Esc: vissza", "Up, Down; Left, Right: change; Esc: back");
 pub(crate) const FOLDER_ENTRY: Words = Words("Mappa:", "Folder:");
@@ -124,15 +124,15 @@ pub(crate) const HELP_HELP: Words = Words("ez a lap", "this page");
 pub(crate) const HELP_LANGUAGE: Words = Words("nyelv: magyar, angol", "language: Hungarian, English");
 pub(crate) const HELP_LARGEST: Words = Words("legnagyobb ablak és vissza", "largest window and back");
 pub(crate) const HELP_PICTURE: Words = Words("a képernyő mentése PNG-be", "save the screen as PNG");
-pub(crate) const HELP_ESC: Words = Words("kérdés, beírás elvetése", "cancel a question or an entry");
-pub(crate) const HELP_LEAVE: Words = Words("Vissza: bármely billentyű", "Back: any key");
+pub(crate) const HELP_ESC: Words = Words("kérdés, beírás megszakítása", "cancel a question or an entry");
+pub(crate) const HELP_LEAVE: Words = Words("Vissza: bármely billentyű", "Any key: back");
 
 /// What is wrong with a stored file.
 pub(crate) fn storage_problem(error: &StorageError) -> Phrase {
     let StorageError { name, problem } = error;
     let hungarian = match problem {
-        StorageProblem::NotFound => format!("{name}: nincs ilyen file"),
-        StorageProblem::BadName(_) => format!("{name}: nem használható név"),
+        StorageProblem::NotFound => format!("{name}: nincs ilyen fájl"),
+        StorageProblem::BadName(_) => format!("{name}: érvénytelen fájlnév"),
         StorageProblem::System(message) => format!("{name}: {message}"),
     };
     Phrase::new(hungarian, error.to_string())
@@ -141,43 +141,47 @@ pub(crate) fn storage_problem(error: &StorageError) -> Phrase {
 // The plane editor's help.
 pub(crate) const HELP_DRAG: Words = Words(
     "pont húzása; új a Tárból; ki a mezőről: törlés",
-    "drag a point; new ones from New; off the field: gone",
+    "drag a point (new: Points); off the field to delete",
 );
-pub(crate) const HELP_INSERT: Words = Words("beszúrás: sorszám, hely", "insert: number, place");
-pub(crate) const HELP_CHANGE: Words = Words("változtatás: sorszám vagy hely", "change: number or place");
+pub(crate) const HELP_INSERT: Words = Words("pont beszúrása: sorszám, hely", "insert a point: number, place");
+pub(crate) const HELP_CHANGE: Words =
+    Words("pont változtatása: sorszám vagy hely", "change a point: number or place");
+pub(crate) const HELP_DELETE: Words = Words("pont törlése: sorszám", "delete a point: number");
 pub(crate) const HELP_DELETE_HERE: Words =
     Words("az egér alatti pont törlése", "delete the point under the mouse");
 pub(crate) const HELP_CLICK: Words =
     Words("a mezőn: új pont; a görbén: pont oda", "on the field: new point; on the curve: one there");
 pub(crate) const HELP_CLICK_3D: Words =
     Words("a görbén: pont oda; máshol húzva: forgat", "on the curve: a point there; elsewhere, drag: turn");
-pub(crate) const HELP_DELETE: Words = Words("törlés: sorszám", "delete: number");
 pub(crate) const HELP_CURVE: Words =
-    Words("görbe: nyitott vagy zárt, eljárás", "curve: open or closed, method");
+    Words("görbe: nyitott vagy zárt, eljárás", "draw a curve: open or closed, method");
 pub(crate) const HELP_RESULT: Words =
-    Words("eredmény: a görbe keret nélkül", "result: the curve without the frame");
-pub(crate) const HELP_QUIT: Words = Words("mentés, új konfiguráció, vége", "save, new configuration, end");
+    Words("eredmény: a görbe keret nélkül", "result: the curve alone, without the frame");
+pub(crate) const HELP_QUIT: Words =
+    Words("mentés, kilépés, új konfiguráció", "save, quit, start or open another");
 pub(crate) const HELP_FOLLOW: Words = Words(
-    "a görbe változtatás után is követi a pontokat",
-    "the curve goes on following the points after a change",
+    "a görbe változtatás után is követi a pontokat: be, ki",
+    "the curve stays and follows every change: on, off",
 );
 pub(crate) const HELP_COMPARE: Words =
-    Words("több eljárás görbéje együtt, színekben", "curves of several methods together, in colours");
+    Words("több eljárás görbéje együtt, színekkel", "compare methods: several curves, in colours");
 pub(crate) const HELP_SAVE: Words = Words("mentés", "save");
 
 // Short messages of the plane editor: 28 letters fit on the communication page.
-pub(crate) const FULL: Words = Words("Több pont nem fér: 99 van", "No room: there are 99 points");
-pub(crate) const NO_POINTS: Words = Words("Nincs még pont", "There is no point yet");
+pub(crate) const FULL: Words = Words("Több pont nem fér el (99)", "No more than 99 points");
+pub(crate) const NO_POINTS: Words = Words("Nincs még pont", "No points yet");
 pub(crate) const TOO_FEW: Words = Words("Legalább 3 pont kell", "At least 3 points are needed");
-pub(crate) const NO_CURVE: Words = Words("Előbb görbét: G", "First a curve: G");
-/// There is nothing to undo or redo.
-pub const NO_MORE: Words = Words("Nincs több változás", "There is no more change");
+pub(crate) const NO_CURVE: Words = Words("Előbb rajzoljon görbét (G)", "Draw a curve first (G)");
+/// There is nothing to undo.
+pub const NO_UNDO: Words = Words("Nincs mit visszavonni", "Nothing to undo");
+/// There is nothing to redo.
+pub const NO_REDO: Words = Words("Nincs mit újra elvégezni", "Nothing to redo");
 pub(crate) const FOLLOWS: Words = Words("A görbe követi a pontokat", "The curve follows the points");
-pub(crate) const FOLLOWS_NOT: Words = Words("A görbe csak húzáskor követ", "The curve follows drags only");
+pub(crate) const FOLLOWS_NOT: Words = Words("Csak húzáskor követ", "Follows only while dragging");
 pub(crate) const ENTER_BACK: Words = Words("Enter - vissza", "Enter - back");
 pub(crate) const WRONG_CONTENT: Words = Words(
-    "Ebben a fileban nem síkbeli kontrollpontok vannak",
-    "This file holds no control points of the plane",
+    "Ebben a fájlban nem síkbeli kontrollpontok vannak",
+    "This file holds no control points in the plane",
 );
 
 /// There is no point of a number; `count` is the largest.
@@ -190,7 +194,7 @@ pub(crate) fn outside_field(number: usize, [x, y]: [f64; 2]) -> Phrase {
     let field = "x = 0...560, y = 0...380";
     Phrase::new(
         format!("{number}. pont ({x}; {y}) a mezőn kívül van; a mező {field}"),
-        format!("point {number} ({x}; {y}) lies outside the field, which is {field}"),
+        format!("Point {number} ({x}; {y}) lies outside the field: {field}"),
     )
 }
 
@@ -198,63 +202,79 @@ pub(crate) fn outside_field(number: usize, [x, y]: [f64; 2]) -> Phrase {
 pub(crate) fn too_many_points(count: usize) -> Phrase {
     Phrase::new(
         format!("{count} pont; legfeljebb 99 lehet"),
-        format!("{count} points; there can be at most 99"),
+        format!("{count} points; at most 99 are possible"),
     )
 }
 
 /// What a DOS format cannot hold, and which file can.
 pub(crate) fn not_held(format: Format, lost: &[String], json: &str) -> Phrase {
-    let lost = lost.join(", ");
+    let english = lost.join(", ");
+    let hungarian: Vec<&str> = lost.iter().map(|name| setting(name)).collect();
+    let hungarian = hungarian.join(", ");
     Phrase::new(
-        format!("{format} nem tárolja: {lost}. {json} tárolná."),
-        format!("{format} cannot hold: {lost}. {json} would."),
+        format!("{format} nem tárolja: {hungarian}. {json} tárolná."),
+        format!("{format} cannot hold: {english}. {json} would."),
     )
 }
+
+/// What a setting of a document is called in Hungarian.
+fn setting(name: &str) -> &str {
+    match name {
+        "method" => "eljárás",
+        "closed" => "zárt",
+        "bias" => "eltolás",
+        "tension" => "feszültség",
+        "extended" => "perem",
+        "joints" => "csatlakozások",
+        "tangents" => "érintők",
+        "points" => "pontok",
+        other => other,
+    }
+}
+
 /// The caption of an entry for a number of a panel.
 pub(crate) const NEW_NUMBER: Words = Words("Új szám:", "New number:");
 /// A number lies outside of what it may be.
 pub(crate) fn out_of(range: &std::ops::RangeInclusive<f64>) -> Phrase {
     let range = format!("{}...{}", range.start(), range.end());
-    Phrase::new(format!("{range} között kell lennie"), format!("It must be {range}"))
+    Phrase::new(format!("Megengedett: {range}"), format!("Allowed: {range}"))
 }
 /// Whether a JSON file shall be written too.
-pub(crate) const ASK_JSON: Words = Words("JSON is mellé?", "JSON beside it?");
+pub(crate) const ASK_JSON: Words = Words("JSON is mellé?", "Save JSON as well?");
 
 /// Whether a file that exists shall be overwritten.
 pub fn exists(name: &str) -> Phrase {
     Phrase::new(format!("{name} létezik. Ráírni?"), format!("{name} exists. Overwrite?"))
 }
 
-pub(crate) const ASK_OVERWRITE: Words = Words("          Ráírni ?", "        Overwrite ?");
+pub(crate) const ASK_OVERWRITE: Words = Words("          Ráírni ?", "         Overwrite?");
 
 /// A file that exists is not what the program has read or written.
 pub(crate) fn changed(name: &str) -> Phrase {
     Phrase::new(
         format!("{name} időközben megváltozott: más is írta, mióta ez a program olvasta vagy mentette."),
-        format!(
-            "{name} has changed since: something else has written it after this program read or saved it."
-        ),
+        format!("{name} has changed: something else has written it since this program read or saved it."),
     )
 }
 
-// Work of a session that broke off.
-pub(crate) const ASK_TAKE_UP: Words = Words("    Folytatja a munkát ?", "   Go on with that work ?");
-pub(crate) const ASK_GIVE_UP: Words = Words("   Biztosan törölhető ?", "      Really delete it ?");
+// Work of a session that ended unexpectedly.
+pub(crate) const ASK_TAKE_UP: Words = Words("     Visszaállítja ?", "        Restore it?");
+pub(crate) const ASK_GIVE_UP: Words = Words("     Biztosan törli ?", "     Really delete it?");
 pub(crate) const GIVING_UP: Words = Words(
-    "A félbeszakadt munka törlése végleges. Nem vagy Esc: a következő indításkor újra kérdezi.",
-    "To delete the work that broke off is final. No or Esc: asked again at the next start.",
+    "A mentetlen munka törlése végleges. Nem vagy Esc: a következő indításkor újra kérdezi.",
+    "Deleting the unsaved work is final. No or Esc: you are asked again at the next start.",
 );
 
 /// There is unsaved work of a program, from a file if it is known, kept so long ago if that is known.
 pub(crate) fn broke_off(program: &str, file: Option<&str>, age: Option<Duration>) -> Phrase {
     let program = program.to_uppercase();
     let (hungarian_age, english_age) = age.map_or_else(Default::default, ago);
-    let file = file.map_or((Cow::from("nincs még fileban"), Cow::from("in no file yet")), |file| {
+    let file = file.map_or((Cow::from("még nincs fájlban"), Cow::from("not yet in a file")), |file| {
         (file.to_string().into(), file.to_string().into())
     });
     Phrase::new(
-        format!("A {program} mentés nélkül szakadt félbe{hungarian_age}. A munka megvan ({}).", file.0),
-        format!("{program} broke off without saving{english_age}. The work is still there ({}).", file.1),
+        format!("A {program} váratlanul ért véget{hungarian_age}; a mentetlen munka megvan ({}).", file.0),
+        format!("{program} ended unexpectedly{english_age}; your unsaved work was kept ({}).", file.1),
     )
 }
 
@@ -262,7 +282,7 @@ pub(crate) fn broke_off(program: &str, file: Option<&str>, age: Option<Duration>
 fn ago(age: Duration) -> (String, String) {
     let minutes = age.as_secs() / 60;
     let (count, hungarian, english) = match minutes {
-        0 => return (" az imént".to_string(), " just now".to_string()),
+        0 => return (" az imént".to_string(), " a moment ago".to_string()),
         1..60 => (minutes, "perce", "minute"),
         60..1440 => (minutes / 60, "órája", "hour"),
         _ => (minutes / 1440, "napja", "day"),
@@ -280,8 +300,8 @@ pub(crate) fn broken_work(name: &str, problem: &Phrase, more: usize) -> Phrase {
         more => (format!(" És még {more}."), format!(" And {more} more.")),
     };
     Phrase::new(
-        format!("Sérült mentetlen munka, .broken néven félretéve: {name}: {hungarian}.{others}"),
-        format!("Broken unsaved work, set aside as .broken: {name}: {english}.{and_others}"),
+        format!("Sérült mentetlen munka, .broken végződéssel félretéve: {name}: {hungarian}.{others}"),
+        format!("Damaged unsaved work was set aside as .broken: {name}: {english}.{and_others}"),
     )
 }
 
@@ -289,7 +309,7 @@ pub(crate) fn broken_work(name: &str, problem: &Phrase, more: usize) -> Phrase {
 pub(crate) fn not_kept(problem: &str) -> Phrase {
     Phrase::new(
         format!("A mentetlen munka összeomlás ellen most nem védett: {problem}"),
-        format!("Unsaved work is not safe from a crash now: {problem}"),
+        format!("Unsaved work is not protected from a crash now: {problem}"),
     )
 }
 
@@ -298,7 +318,7 @@ pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
     let hungarian = match error {
         FileError::Size { format, found } => {
             let right = format.size().unwrap_or_default();
-            format!("{name}: a file {found} bájt; egy {format} file {right} bájt")
+            format!("{name}: a fájl {found} bájt; egy {format} fájl {right} bájt")
         }
         error => format!("{name}: hibás adat: {error}"),
     };
@@ -308,11 +328,11 @@ pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
 // Beta-splines and their joints.
 pub(crate) const HELP_SHAPE: Words =
     Words("eltolás, feszültség az egész görbén", "bias, tension of the whole curve");
-pub(crate) const HELP_CURVE_FORM: Words = Words("görbe: nyitott vagy zárt", "curve: open or closed");
+pub(crate) const HELP_CURVE_FORM: Words = Words("görbe: nyitott vagy zárt", "draw a curve: open or closed");
 pub(crate) const HELP_JOINTS: Words =
     Words("egy csatlakozás eltolása, feszültsége (2.68)", "bias, tension of one joint (2.68)");
 pub(crate) const HELP_JOINTS_OFF: Words =
-    Words("minden csatlakozás megint egyforma", "all joints alike again");
+    Words("minden csatlakozás újra egyforma", "make all joints alike again");
 pub(crate) const JOINT_ENTRY: Words = Words("Csatl.:", "Joint:");
 pub(crate) const JOINT_BIAS: Words = Words("elt.=", "bias=");
 pub(crate) const JOINT_TENSION: Words = Words("fesz.=", "tens.=");
@@ -321,18 +341,18 @@ pub(crate) const JOINTS_ALIKE: Words = Words("Minden csatlakozás egyforma", "Al
 // Tangents.
 pub(crate) const POINT: Hot = Hot::new('P', "ont", "-oint");
 pub(crate) const TANGENT: Hot = Hot::new('E', "rintő", "-tang.");
-pub(crate) const LENGTH: Hot = Hot::new('H', "ossz", "-size");
+pub(crate) const LENGTH: Hot = Hot::new('H', "ossz", "-len.");
 pub(crate) const ANGLE: Hot = Hot::new('S', "zög", "-angle");
 // The ROM's capitals with accents are hard to read; the original sets commas over plain ones.
 pub(crate) const COONS_TITLE: Words = Words("COONS INTERPOLACIO", "COONS INTERPOLATION");
 pub(crate) const COONS_ACCENTS: Words = Words(",  ,", "");
-pub(crate) const ASK_AUTOMATIC: Words = Words(" Önműködő érintőszámítás ?", "    Automatic tangents ?");
+pub(crate) const ASK_AUTOMATIC: Words = Words(" Önműködő érintőszámítás ?", "    Automatic tangents?");
 pub(crate) const TANGENT_LENGTH: Words = Words("Érintő hossza", "Tangent length");
 pub(crate) const TANGENT_ANGLE: Words = Words("Érintő iránya", "Tangent angle");
 pub(crate) const NEW_VALUE: Words = Words("új:", "new:");
 pub(crate) const NO_TANGENTS: Words = Words(
     "Nincs hozzá .EC2: az érintőket a szomszédos pontok adják, k0 = 0.5",
-    "There is no .EC2 with it: the neighbouring points give the tangents, k0 = 0.5",
+    "There is no .EC2 file: tangents are computed from the neighbouring points, k0 = 0.5",
 );
 pub(crate) const HELP_CHANGE_TANGENT: Words =
     Words("változtatás: pont vagy érintő (hossz, szög)", "change: point or tangent (length, angle)");
@@ -365,26 +385,24 @@ pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
             "{bias} eltolásnál a {critical} feszültség kritikus: a görbe pontjai a végtelenbe mennek. Más feszültség kell: C"
         ),
         format!(
-            "With bias {bias} the tension {critical} is critical: the points of the curve go to infinity. Give another tension: C"
+            "With bias {bias} the tension {critical} is critical: the points of the curve go to infinity. Choose another tension (C)"
         ),
     )
 }
 
 // The space editor.
 pub(crate) const PLACE_3D: Words = Words("Hely", "Place");
-pub(crate) const LEAVE: Words = Words("ESC - kilép", "ESC - leave");
+pub(crate) const LEAVE: Words = Words("ESC - kilép", "ESC - back");
 pub(crate) const HELP_DRAG_3D: Words =
     Words("pont húzása a kép síkjában", "drag a point in the plane of the picture");
-pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "turn by dragging");
+pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "drag to turn");
 pub(crate) const HELP_TURN_KEYS: Words = Words("forgatás 3 fokkal", "turn by 3 degrees");
-pub(crate) const HELP_ZOOM: Words = Words("nagyítás, kicsinyítés", "larger, smaller");
-pub(crate) const HELP_HOME: Words = Words("az eredeti nézet", "the view of the start");
+pub(crate) const HELP_ZOOM: Words = Words("nagyítás, kicsinyítés", "zoom in, out");
+pub(crate) const HELP_HOME: Words = Words("az eredeti nézet", "back to the first view");
 pub(crate) const NOT_IN_SPACE: Words =
-    Words("Ebben a fileban nem térbeli kontrollpontok vannak", "This file holds no control points in space");
-pub(crate) const OUTSIDE_SPACE: Words = Words(
-    "99-nél több pont, vagy túl nagy koordináta",
-    "More than 99 points, or a coordinate that is too large",
-);
+    Words("Ebben a fájlban nem térbeli kontrollpontok vannak", "This file holds no control points in space");
+pub(crate) const OUTSIDE_SPACE: Words =
+    Words("99-nél több pont vagy túl nagy koordináta", "More than 99 points, or too large a coordinate");
 
 /// The place of a point, counted from 1, as the line under the picture tells it.
 pub(crate) fn place_of(number: usize, place: [f64; 3]) -> Phrase {
@@ -400,25 +418,25 @@ pub(crate) const COEFFICIENT_NAME: Words = Words("Együttható:", "Coeff.:");
 pub(crate) const LETTER: Words = Words("név", "name");
 pub(crate) const DIGITS: Words = Words("szám", "no.");
 pub(crate) const HARMONICS_ENTRY: Words = Words("harmonikusok:", "harmonics:");
-pub(crate) const ASK_FIT_SHAPE: Words = Words("Mit közelítsen ?", "Fit to what ?");
+pub(crate) const ASK_FIT_SHAPE: Words = Words("Mit közelítsen ?", "Fit to what?");
 pub(crate) const POLYGON: Hot = Hot::new('P', "oligon", "olygon");
 pub(crate) const SPLINE_SHAPE: Hot = Hot::new('S', "pline", "pline");
 pub(crate) const OF_POLYGON: Words = Words("poligon", "polygon");
 pub(crate) const OF_SPLINE: Words = Words("spline", "spline");
 pub(crate) const NO_COEFFICIENTS: Words = Words(
-    "Ebben a fileban nem egy Fourier-görbe együtthatói vannak",
+    "Ebben a fájlban nem egy Fourier-görbe együtthatói vannak",
     "This file holds no coefficients of a Fourier curve",
 );
-pub(crate) const HELP_WINDOW: Words = Words("ablakra kattintás: új érték", "click a window: a new value");
+pub(crate) const HELP_WINDOW: Words = Words("ablakra kattintás: új érték", "click a window: new value");
 pub(crate) const HELP_COEFFICIENT: Words =
-    Words("együttható neve és száma, új érték", "name and number of a coefficient, a new value");
+    Words("együttható neve és száma, új érték", "a coefficient by name and number, new value");
 pub(crate) const HELP_STEP: Words =
     Words("az érték változtatása: a, b 1, p, q 0.01", "change the value: a, b by 1, p, q by 0.01");
 pub(crate) const HELP_TEN_STEPS: Words = Words("ennek tízszerese", "ten times as much");
 pub(crate) const HELP_OTHER_WINDOW: Words = Words("másik együttható", "another coefficient");
 pub(crate) const HELP_TYPE: Words = Words("új érték beírása", "type a new value");
 pub(crate) const HELP_FIT: Words =
-    Words("közelítés egy .IP2 file pontjaihoz", "fit the curve to the points of an .IP2 file");
+    Words("közelítés egy .IP2 fájl pontjaihoz", "fit the curve to the points of an .IP2 file");
 
 /// There is no coefficient of a number in this column.
 pub(crate) fn no_such_coefficient(numbers: &std::ops::RangeInclusive<usize>) -> Phrase {
@@ -427,11 +445,9 @@ pub(crate) fn no_such_coefficient(numbers: &std::ops::RangeInclusive<usize>) -> 
 }
 
 // The workshop of measured points.
-pub(crate) const HELP_WORKSHOP: Words = Words(
-    "mérési pontok simítása (2.3.8): Enter átveszi",
-    "smooth measured points (2.3.8): Enter takes over",
-);
-pub(crate) const TAKE_OVER: Words = Words("Enter - átvesz  ESC - vissza", "Enter - take   ESC - back");
+pub(crate) const HELP_WORKSHOP: Words =
+    Words("mérési pontok simítása (2.3.8): Enter átveszi", "smooth measured points (2.3.8); Enter accepts");
+pub(crate) const TAKE_OVER: Words = Words("Enter - átvesz  ESC - vissza", "Enter - accept ESC - back");
 
 /// How far smoothed points are from the measured ones, with the number of the farthest.
 pub(crate) fn residuals(residuals: &Residuals) -> Phrase {
@@ -443,15 +459,15 @@ pub(crate) fn residuals(residuals: &Residuals) -> Phrase {
 pub(crate) const SURFACE: Hot = Hot::new('F', "elület", "-surf.");
 pub(crate) const NET_QUIT: Hot = Hot::new('Q', "- kilép", "- quit");
 pub(crate) const K0_BUTTON: Hot = Hot::new('C', " - k0", " - k0");
-pub(crate) const ASK_DISPLAY: Words = Words("          Megjelenítés ?", "            Display ?");
-pub(crate) const WIRE: Hot = Hot::new('D', "rótváz", "-wires");
-pub(crate) const FILLED: Hot = Hot::new('T', "ele", "-filled");
-pub(crate) const ASK_DIRECTION: Words = Words("          Irány ?", "        Direction ?");
+pub(crate) const ASK_DISPLAY: Words = Words("          Megjelenítés ?", "    Wireframe or solid?");
+pub(crate) const WIRE: Hot = Hot::new('D', "rótváz", "-wire");
+pub(crate) const FILLED: Hot = Hot::new('T', "ele", "-solid");
+pub(crate) const ASK_DIRECTION: Words = Words("          Irány ?", "         Direction?");
 pub(crate) const ALONG_U: Hot = Hot::new('U', "", "");
 pub(crate) const ALONG_V: Hot = Hot::new('V', "", "");
-pub(crate) const ASK_AXIS: Words = Words("Melyik tengely irányában ?", "In the direction of ?");
+pub(crate) const ASK_AXIS: Words = Words("Melyik tengely irányában ?", "Mirror along which axis?");
 pub(crate) const AXES: [Hot; 3] = [Hot::new('X', "", ""), Hot::new('Y', "", ""), Hot::new('Z', "", "")];
-pub(crate) const WHAT_CHANGES: Words = Words("Mi változik ?", "What changes ?");
+pub(crate) const WHAT_CHANGES: Words = Words("Mi változik ?", "Change what?");
 pub(crate) const TANGENT_TITLE: Words = Words("Érintő", "Tangent");
 pub(crate) const TWIST: Hot = Hot::new('T', "wist", "wist");
 pub(crate) const TANGENT_U: Hot = Hot::new('U', " irány", " dir.");
@@ -461,39 +477,43 @@ pub(crate) const TANGENT_V_TITLE: Words = Words("Érintő-v", "Tangent-v");
 pub(crate) const TWIST_TITLE: Words = Words("Twist", "Twist");
 pub(crate) const HEIGHT_TITLE: Words = Words("Magasság:", "Height:");
 pub(crate) const COEFFICIENT_ENTRY: Words = Words("Együttható:", "Coeff.:");
-pub(crate) const WIRE_LEGEND: Words = Words("D - drótváz", "D - wires");
-pub(crate) const FILLED_LEGEND: Words = Words("T - tele", "T - filled");
-pub(crate) const NO_SURFACE: Words = Words("Előbb felületet: F", "First a surface: F");
+pub(crate) const WIRE_LEGEND: Words = Words("D - drótváz", "D - wireframe");
+pub(crate) const FILLED_LEGEND: Words = Words("T - tele", "T - hidden lines");
+pub(crate) const NO_SURFACE: Words = Words("Előbb felületet rajzoljon: F", "Draw a surface first (F)");
 pub(crate) const SURFACE_FOLLOWS: Words = Words("A felület követi a hálót", "The surface follows the net");
-pub(crate) const SURFACE_FOLLOWS_NOT: Words =
-    Words("A felület csak húzáskor követ", "The surface follows drags only");
+pub(crate) const SURFACE_FOLLOWS_NOT: Words = Words("Csak húzáskor követ", "Follows only while dragging");
 pub(crate) const BORDER_REACHED: Words = Words("A felület a peremig ér", "The surface ends at the border");
 pub(crate) const BORDER_DOUBLED: Words =
-    Words("A felület a perem előtt ér véget", "It stops before the border");
+    Words("A felület a perem előtt ér véget", "It ends before the border");
 pub(crate) const COLLAPSED: Words = Words(
     "A háló egy vonalon fekszik: a felület vonallá zsugorodik",
     "The net lies on a line, and so does the surface",
 );
 pub(crate) const NOT_A_NET: Words =
-    Words("Ebben a fileban nincs kontrollháló", "This file holds no control net");
+    Words("Ebben a fájlban nincs kontrollháló", "This file holds no control net");
 pub(crate) const HELP_NET_CHANGE: Words =
-    Words("kontrollpont választása, új hely", "choose a control point, new place");
-pub(crate) const HELP_SURFACE: Words = Words("felület: drótváz vagy tele", "surface: wires or filled");
+    Words("kontrollpont választása, új hely", "choose a control point, then its new place");
+pub(crate) const HELP_SURFACE: Words = Words(
+    "felület: drótváz, vagy takart vonalak nélkül (tele)",
+    "surface: wireframe, or solid without hidden lines",
+);
 pub(crate) const HELP_SURFACE_RESULT: Words =
-    Words("eredmény: a felület keret nélkül (D, T)", "result: the surface without the frame (D, T)");
+    Words("eredmény: a felület magában, keret nélkül (D, T)", "result: the surface alone (D, T)");
 pub(crate) const HELP_NET_DRAG: Words =
-    Words("pont húzása; kattintás a térképre: V", "drag a point; click the map: V");
-pub(crate) const HELP_NET_FOLLOW: Words =
-    Words("a felület mindig látszik és követi a hálót", "the surface is always shown and follows");
+    Words("pont húzása; kattintás a térképre: V", "drag a point; click a disc of the map: V");
+pub(crate) const HELP_NET_FOLLOW: Words = Words(
+    "a felület mindig látszik és követi a hálót: be, ki",
+    "the surface stays and follows every change: on, off",
+);
 pub(crate) const HELP_BORDER: Words =
-    Words("B-spline a peremig és a pólusig, vagy előttük", "B-spline up to border and pole, or not");
+    Words("B-spline a peremig és a pólusig: be, ki", "B-spline up to border and pole: on, off");
 pub(crate) const HELP_INSPECT: Words =
-    Words("zebracsíkok, Gauss-görbület, semmi", "zebra stripes, Gaussian curvature, off");
+    Words("zebracsíkok, Gauss-görbület, semmi", "zebra stripes, Gaussian curvature, none");
 pub(crate) const HELP_SECTION: Words =
     Words("síkmetszet x, y, z mentén; + - tolja", "plane section along x, y, z; + - move it");
 pub(crate) const HELP_MIRROR: Words = Words("a háló tükrözése", "mirror the net");
 pub(crate) const HELP_REFINE: Words =
-    Words("a háló finomítása, a felület ugyanaz", "a finer net with the same surface");
+    Words("a háló finomítása, a felület ugyanaz", "refine the net; the surface stays the same");
 pub(crate) const HELP_K0: Words =
     Words("az érintők együtthatója, u és v", "coefficient of the tangents, u and v");
 pub(crate) const HELP_SHAPES: Words = Words("eltolás, feszültség, u és v", "bias, tension, u and v");
@@ -523,8 +543,8 @@ pub(crate) fn height_of([k, l]: [usize; 2], height: f64) -> Phrase {
 pub(crate) fn taken_into(range: &std::ops::RangeInclusive<f64>) -> Phrase {
     let (least, most) = (range.start(), range.end());
     Phrase::new(
-        format!("Csak {least} és {most} között lehet: a legközelebbit vettem"),
-        format!("It must be {least} to {most}: the nearest is taken"),
+        format!("Csak {least} és {most} között lehet: a legközelebbi érték lett"),
+        format!("It must be {least} to {most}: the nearest value is used"),
     )
 }
 
@@ -539,7 +559,7 @@ pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
     Phrase::new(
         format!("{bias:.2} eltolásnál a {critical:.2} feszültség kritikus: nincs felület. Más kell: C"),
         format!(
-            "With bias {bias:.2} the tension {critical:.2} is critical: there is no surface. Change it: C"
+            "With bias {bias:.2} the tension {critical:.2} is critical: there is no surface. Choose another (C)"
         ),
     )
 }
@@ -548,7 +568,7 @@ pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
 pub(crate) fn other_net(wanted: Format, found: Format) -> Phrase {
     Phrase::new(
         format!("Ez egy {found} háló; ide {wanted} való"),
-        format!("This is a net of a {found} file; a {wanted} net is needed"),
+        format!("This is a {found} net; a {wanted} net is needed"),
     )
 }
 
@@ -559,7 +579,7 @@ pub(crate) fn net_size([rows, columns]: [usize; 2], [least_u, least_v]: [usize; 
             "A háló {rows} x {columns} pont; {least_u} x {least_v} és {most} x {most} közötti kell, koordináták 1000000-ig"
         ),
         format!(
-            "The net has {rows} x {columns} points; {least_u} x {least_v} to {most} x {most} are needed, coordinates up to 1000000"
+            "The net has {rows} x {columns} points; {least_u} x {least_v} to {most} x {most} are possible, coordinates up to 1000000"
         ),
     )
 }
@@ -618,3 +638,86 @@ pub(crate) fn deleted(number: usize) -> Phrase {
 }
 
 pub(crate) const NOTHING_HERE: Words = Words("Az egér alatt nincs pont", "No point under the mouse");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LANGUAGES: [Language; 2] = [Language::Hungarian, Language::English];
+
+    #[test]
+    fn answers_lie_inside_their_windows() {
+        // The window on the left is 64 pixels wide, that on the right 60; an answer begins 5 pixels inside.
+        let left = [YES, NEW, OPEN, NUMBER, POINT, LENGTH, POLYGON, WIRE, ALONG_U, TWO];
+        let right = [
+            NO,
+            STORED,
+            CLOSED,
+            PLACE,
+            TANGENT,
+            ANGLE,
+            SPLINE_SHAPE,
+            FILLED,
+            ALONG_V,
+            THREE,
+            TWIST,
+            TANGENT_U,
+            TANGENT_V,
+        ];
+        for (answers, room) in [(left.as_slice(), 64), (right.as_slice(), 60)] {
+            for (answer, language) in answers.iter().flat_map(|answer| LANGUAGES.map(|it| (answer, it))) {
+                assert!(5 + answer.width(language) <= room, "{}{}", answer.letter, answer.rest.of(language));
+            }
+        }
+    }
+
+    #[test]
+    fn questions_and_short_messages_lie_inside_their_pages() {
+        let questions = [
+            ASK_END,
+            ASK_NEW,
+            ASK_SAVE,
+            ASK_CONFIGURATION,
+            ASK_SHAPE,
+            ASK_DEGREE,
+            ASK_CHANGE,
+            ASK_POINTS,
+            ASK_KIND,
+            ASK_AXES,
+            ASK_JSON,
+            ASK_OVERWRITE,
+            ASK_TAKE_UP,
+            ASK_GIVE_UP,
+            ASK_AUTOMATIC,
+            ASK_DISPLAY,
+            ASK_DIRECTION,
+            ASK_AXIS,
+            ASK_FIT_SHAPE,
+            WIDTH_ENTRY,
+            TITLE_ENTRY,
+            CAPTION_ENTRY,
+        ];
+        let messages = [
+            NO_SUCH_FILE,
+            FULL,
+            NO_POINTS,
+            TOO_FEW,
+            NO_CURVE,
+            NO_UNDO,
+            NO_REDO,
+            FOLLOWS,
+            FOLLOWS_NOT,
+            ENTER_BACK,
+            TAKE_OVER,
+            NO_SURFACE,
+            SURFACE_FOLLOWS,
+            SURFACE_FOLLOWS_NOT,
+            BORDER_REACHED,
+            BORDER_DOUBLED,
+            JOINTS_ALIKE,
+        ];
+        for text in questions.iter().chain(&messages).flat_map(|words| LANGUAGES.map(|it| words.of(it))) {
+            assert!(text.chars().count() <= 28, "{text}");
+        }
+    }
+}

@@ -221,7 +221,8 @@ pub async fn common_key<W: Work>(state: &mut W, desk: &mut Desk<'_>, key: Option
         _ => return Ok(false),
     };
     if !moved {
-        desk.tell(words::NO_MORE, Stay::Briefly);
+        let said = if key == Some(Key::Ctrl('Y')) { words::NO_REDO } else { words::NO_UNDO };
+        desk.tell(said, Stay::Briefly);
     }
     Ok(true)
 }

@@ -127,6 +127,12 @@ fn page(command: &clap::Command, manual: Option<Manual>) -> Result<Vec<u8>, Fail
         man.render_name_section(&mut text)?;
         man.render_synopsis_section(&mut text)?;
         man.render_description_section(&mut text)?;
+        if let Some(manual) = manual.filter(|manual| !manual.intro.1.is_empty()) {
+            let mut intro = Roff::default();
+            intro.control("PP", []);
+            intro.text([roman(manual.intro.1)]);
+            intro.to_writer(&mut text)?;
+        }
         man.render_options_section(&mut text)?;
         if command.has_subcommands() {
             man.render_subcommands_section(&mut text)?;
@@ -262,6 +268,7 @@ mod tests {
             }
             if let Some(program) = by_name(name) {
                 assert!(page.contains("KEYS") || program.manual.keys.is_empty(), "{path}");
+                assert!(page.contains(program.manual.intro.1.get(..20).unwrap_or_default()), "{path}");
             }
         });
         assert_eq!(pages.len(), 1 + whole().get_subcommands().count());

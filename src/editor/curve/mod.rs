@@ -486,7 +486,10 @@ impl Ambient<2> for Curves<2> {
 
     fn draw(editor: &Editor<Curves<2>, 2>, layer: Layer, page: &mut Page<'_>) {
         if layer == Layer::Under && !editor.stage.is_result() {
-            page.screen.text(607, 67, words::STORE.of(page.language), Color::White);
+            // It ends where the original's word does.
+            let store = words::STORE.of(page.language);
+            let width = 8 * i32::try_from(store.chars().count()).unwrap_or(0);
+            page.screen.text(631 - width, 67, store, Color::White);
         }
     }
 }

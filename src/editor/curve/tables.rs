@@ -194,6 +194,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn every_text_fits_its_button() {
+        for commands in [METHODS, TANGENTS, BETA, SPACE_METHODS, SPACE_BETA] {
+            assert_eq!(commands.too_wide(), [""; 0]);
+        }
+    }
+
+    #[test]
     fn no_key_has_two_meanings() {
         for commands in [METHODS, TANGENTS, BETA, SPACE_METHODS, SPACE_BETA] {
             assert_eq!(commands.shared_keys(), []);

@@ -108,6 +108,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn every_text_fits_its_button() {
+        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER] {
+            assert_eq!(commands.too_wide(), [""; 0]);
+        }
+    }
+
+    #[test]
     fn no_key_has_two_meanings() {
         for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER] {
             assert_eq!(commands.shared_keys(), []);
