@@ -166,7 +166,8 @@ enum Measured {
 }
 
 impl Measured {
-    /// The visible part of a figure of the given size in pixels. Axes whose numbers have too many digits are left out.
+    /// The visible part of a figure of the given size in pixels. Axes whose numbers have too many digits are left
+    /// out.
     fn new(figure: &Figure, room: f64, overhang: f64) -> Measured {
         let window = window(figure);
         let axes = match figure.axes {

@@ -1,7 +1,7 @@
 //! Exact surfaces for CAD programs: STEP (ISO 10303-21), application protocol AP214.
 //!
-//! The model is one face on one B-spline surface. Its borders are edges; a seam is one edge used twice, and a pole has
-//! no edge. A closed surface is a solid, an open one a shell. One unit of the net is one millimetre.
+//! The model is one face on one B-spline surface. Its borders are edges; a seam is one edge used twice, and a pole
+//! has no edge. A closed surface is a solid, an open one a shell. One unit of the net is one millimetre.
 
 use super::FigureError;
 use super::mesh::Mesh;

@@ -1,4 +1,4 @@
-//! Choosing the display of a session and staying with it until the end.
+//! Chooses the display of a session and runs it until the end.
 
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};

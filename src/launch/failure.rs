@@ -1,4 +1,4 @@
-//! What ends a command: one line on stderr and an exit status.
+//! The failure of a command: one line on stderr and an exit status.
 
 use super::{say, write_output};
 #[cfg(feature = "terminal")]
@@ -62,7 +62,7 @@ impl fmt::Display for Failure {
 impl std::error::Error for Failure {}
 
 impl From<clap::Error> for Failure {
-    /// Puts what clap says into one line, without its closing remark.
+    /// Turns clap's message into one line, without its closing remark.
     fn from(error: clap::Error) -> Failure {
         let text = error.to_string();
         if !error.use_stderr() {

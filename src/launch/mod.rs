@@ -1,5 +1,5 @@
-//! How a program starts: its command line, its file, its display. Every program of the book starts
-//! through here, by its own name or by way of `grafika`.
+//! How a program starts: its command line, its file, its display. Every program starts here, under its own name or
+//! through `grafika`.
 //!
 //! Exit status: 0 done, 1 the work failed, 2 the command line or the script is wrong.
 
@@ -46,7 +46,7 @@ fn examples(program: &Program) -> String {
 }
 
 impl Program {
-    /// The `main` of a program that has a binary of its own.
+    /// The `main` of a program with its own binary.
     pub fn main(&self) -> ExitCode {
         exit(self.manual.name, self.start_from(std::env::args_os()))
     }
@@ -74,14 +74,14 @@ impl Program {
         }
     }
 
-    /// The definition of the program's command line, which help, completions and manual page are made from.
+    /// The definition of the program's command line, from which help, completions and manual page are made.
     pub fn command(&self) -> Command {
         let command = Command::new(self.manual.name);
         let (command, examples) = match self.command_line {
             CommandLine::Usual => (self.with_tables(Options::augment_args(command)), examples(self)),
             CommandLine::Install => (Install::augment_args(command), Install::examples(self.manual.name)),
         };
-        // Set last: the options bring a description of their own.
+        // Set last, because the options have their own description.
         command.about(self.manual.about.1).version(env!("CARGO_PKG_VERSION")).after_help(examples)
     }
 

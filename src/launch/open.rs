@@ -7,7 +7,7 @@ use crate::machine::{Storage, StorageProblem};
 use crate::work::with_twin;
 use std::path::{Path, PathBuf};
 
-/// A document and where it came from.
+/// A document and its origin.
 #[derive(Clone, Debug)]
 pub struct Opened {
     /// The name as it was given.

@@ -22,7 +22,7 @@ pub fn alive(what: &'static str) -> Bar {
 }
 
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
-    // Both templates above are valid; an invalid one would only leave the bar plain.
+    // Both templates above are valid; an invalid one would only give a plain bar.
     match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style.progress_chars("##-")),
         Err(_) => bar,

@@ -1,4 +1,4 @@
-//! What reaches a program: keys, mouse and time, in the order in which they happened.
+//! Events of a program: keys, mouse and time, in the order in which they happened.
 
 use std::fmt;
 use std::time::Duration;
@@ -44,7 +44,7 @@ pub enum Key {
     Delete,
 }
 
-/// The keys that have a name of their own in a script.
+/// The keys with a name in scripts.
 const NAMED: [(&str, Key); 15] = [
     ("Enter", Key::Enter),
     ("Esc", Key::Esc),
@@ -108,7 +108,7 @@ impl fmt::Display for Key {
     }
 }
 
-/// One upper-case character; a letter whose capital is several characters stays as it is.
+/// A character in upper case; unchanged if its upper case is several characters.
 fn upper(letter: char) -> char {
     let mut capital = letter.to_uppercase();
     match (capital.next(), capital.next()) {
@@ -153,7 +153,7 @@ impl Button {
     }
 }
 
-/// One thing that happened at the display.
+/// An event of the display.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// A key was pressed (or repeats).
@@ -209,7 +209,7 @@ impl Mouse {
     }
 }
 
-/// What a program wakes up with: one event, or none when its time is up or a new frame is due.
+/// What a program wakes up with: an event, or none when a deadline or frame is due.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tick {
     /// What happened; `None` when only time passed.

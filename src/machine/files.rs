@@ -1,5 +1,5 @@
-//! A program's files, and what it last read or wrote there, so that a file changed by something else is not
-//! overwritten unnoticed.
+//! A program's files, with the contents it last read or wrote, so that it notices a file changed by something else
+//! before overwriting it.
 
 use super::storage::{Storage, StorageError};
 use std::cell::RefCell;
@@ -18,8 +18,8 @@ pub enum Standing {
     Changed(Option<Vec<u8>>),
 }
 
-/// A storage that remembers what went through it. It compares contents, because copies and the clocks of other
-/// machines make times unreliable.
+/// A storage that remembers the contents read and written. It compares contents because file times are unreliable:
+/// files are copied, and clocks of other machines differ.
 pub struct Files {
     place: Box<dyn Storage>,
     /// What the program read or wrote last, by the name in lower case.
@@ -101,7 +101,7 @@ mod tests {
         assert_eq!(other.standing("P.IP2"), Standing::There(Some(b"1".to_vec())));
         other.write("p.IP2", b"2").unwrap();
         assert_eq!(one.standing("P.IP2"), Standing::Changed(Some(b"2".to_vec())));
-        // To look is not to read: only the program that has read it knows it.
+        // Looking is not reading: the program has not seen this content.
         assert_eq!(one.standing("P.IP2"), Standing::Changed(Some(b"2".to_vec())));
         one.read("P.IP2").unwrap();
         assert_eq!(one.standing("P.IP2"), Standing::There(Some(b"2".to_vec())));

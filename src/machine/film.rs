@@ -79,7 +79,7 @@ impl Film {
     /// Time since the beginning in hundredths of a second, at most the maximum length.
     fn hundredths(&self, now: Duration) -> u64 {
         let time = now.saturating_sub(self.begun).min(LONGEST);
-        // Ten minutes fit.
+        // Ten minutes fit into the type.
         ((time.as_micros() + 5_000) / 10_000) as u64
     }
 

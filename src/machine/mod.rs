@@ -134,12 +134,12 @@ pub enum Pointer {
     Shown(&'static Masks),
 }
 
-/// What a machine is set to when a program starts.
+/// The settings of a machine at the start of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
     /// The language at the start.
     pub language: Language,
-    /// Where random numbers start from.
+    /// The seed of random numbers.
     pub seed: u64,
     /// How programs behave.
     pub manner: Manner,
@@ -164,7 +164,7 @@ pub struct Machine {
     visit: Visit,
 }
 
-/// Whether another program runs this one and is returned to.
+/// Whether another program runs this one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Visit {
     #[default]
@@ -379,11 +379,11 @@ impl Machine {
         self.turn(Wait::Until(moment)).await
     }
 
-    /// Begins a film, a GIF of every screen passed to [`Machine::film_screen`]; one that is being recorded goes on. A film
-    /// is saved when it is stopped or the machine is dropped.
+    /// Starts a film, a GIF of every screen passed to [`Machine::film_screen`]. A film being recorded continues. A
+    /// film is saved when it is stopped or the machine is dropped.
     ///
     /// # Errors
-    /// [`StorageError`] if the encoder fails, which no screen makes it do.
+    /// [`StorageError`] if the encoder fails; no screen is known to make it fail.
     pub fn start_film(&mut self, program: &'static str) -> Result<(), StorageError> {
         if self.film.is_none() {
             let film = Film::new(program, self.now()).map_err(|error| no_film(program, &error))?;
@@ -403,10 +403,10 @@ impl Machine {
         self.film.as_ref().is_some_and(|film| film.is_full(self.now()))
     }
 
-    /// Shows the screen, as it is drawn now, to the film.
+    /// Adds the present screen to the film.
     ///
     /// # Errors
-    /// [`StorageError`] if the encoder fails, which no screen makes it do.
+    /// [`StorageError`] if the encoder fails; no screen is known to make it fail.
     pub fn film_screen(&mut self) -> Result<(), StorageError> {
         let now = self.now();
         let Some(film) = &mut self.film else { return Ok(()) };

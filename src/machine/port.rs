@@ -1,7 +1,7 @@
 //! The port between a program and the display that polls it.
 //!
-//! A program and its display never run at the same time: the program runs until it awaits, then the display has its
-//! turn. The screen is moved from one to the other at the await, so neither has to share it.
+//! A program and its display never run at the same time: the program runs until it awaits, then the display runs. The
+//! screen is moved from one to the other at the await, so it is never shared.
 
 use super::event::{Mouse, Tick};
 use super::{Asked, Language, Manner, Pointer, Preferences, StorageError};

@@ -66,7 +66,7 @@ impl Recorder {
     }
 
     fn line(&mut self, line: &str) {
-        // Flushed line by line: a recording is wanted most when the program does not end well.
+        // Flushed line by line: recordings matter most when the program crashes.
         let written = writeln!(self.output, "{line}").and_then(|()| self.output.flush());
         if let Err(error) = written {
             self.problem.get_or_insert(error);

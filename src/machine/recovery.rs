@@ -1,8 +1,8 @@
 //! Unsaved work that outlives a crash: it is kept outside the process, and a later start finds what a broken session
 //! left.
 //!
-//! This is the programs' view; the implementation on disk is in `disk`. Scripts, and the library without a file system,
-//! have no [`Recovery`] and keep nothing.
+//! This is the programs' view; the implementation on disk is in `disk`. Scripts, and the library without a file
+//! system, have no [`Recovery`] and keep nothing.
 
 use std::time::Duration;
 
@@ -31,11 +31,11 @@ pub struct Lost {
 /// What becomes of lost work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It is this session's unsaved work from now on.
+    /// It becomes the unsaved work of this session.
     TakenUp,
-    /// Nobody wants it any more.
+    /// It is deleted.
     Deleted,
-    /// The next start of the program shall ask again.
+    /// The next start of the program asks again.
     Later,
     /// It cannot be read and is set aside for the user.
     Broken,
@@ -56,6 +56,6 @@ pub trait Recovery {
     /// Decides on the work of the last [`Recovery::lost`].
     fn settle(&mut self, verdict: Verdict);
 
-    /// Why work could not be kept; told once.
+    /// Why work could not be kept; reported once.
     fn problem(&mut self) -> Option<String>;
 }

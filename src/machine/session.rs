@@ -136,7 +136,7 @@ impl Session {
         self.port.borrow().preferences.palette
     }
 
-    /// How far keys move the mouse.
+    /// The distance by which keys move the mouse.
     pub fn pointer_speed(&self) -> PointerSpeed {
         self.port.borrow().preferences.pointer_speed
     }
@@ -200,7 +200,7 @@ impl Session {
         self.port.borrow_mut().lost.take().map_or(Ok(()), Err)
     }
 
-    /// Ends the recording and says whether all of it could be written.
+    /// Ends the recording and reports whether all of it was written.
     pub fn finish_recording(&mut self) -> std::io::Result<()> {
         self.recorder.take().map_or(Ok(()), |recorder| recorder.finish(self.port.borrow().now))
     }

@@ -1,4 +1,4 @@
-//! Why a question has no answer.
+//! The reasons why a question has no answer.
 
 use std::fmt;
 
@@ -6,7 +6,8 @@ use std::fmt;
 /// the command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The display is being closed, or a guest returns to its host. A program with unsaved work catches this and asks.
+    /// The display is being closed, or a guest returns to its host. A program with unsaved work catches this and
+    /// asks.
     Closed,
     /// Esc: the command is not carried out. Only questions end like this, never a wait for an event.
     Cancelled,

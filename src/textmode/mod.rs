@@ -1,9 +1,9 @@
 //! Pages in text mode, as the installer on the book's disk had them: a list on the left, a summary of the choice on
 //! the right, keys on the last line, and questions over the page.
 //!
-//! A [`TextProgram`] describes its page and receives events. It draws nothing and waits for nothing, so that the same
-//! program runs in a terminal ([`in_terminal`]), on the 640x480 screen of a [`Machine`] ([`on_machine`]) and in tests.
-//! Pages are drawn with `ratatui`, which no program sees.
+//! A [`TextProgram`] describes its page and receives events. It draws nothing and waits for nothing, so that the
+//! same program runs in a terminal ([`in_terminal`]), on the 640x480 screen of a [`Machine`] ([`on_machine`]) and
+//! in tests. Pages are drawn with `ratatui`, which no program sees.
 //!
 //! [`Machine`]: crate::machine::Machine
 

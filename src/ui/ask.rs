@@ -1,5 +1,5 @@
-//! Questions and entries on the communication page. Esc cancels every one of them and what asks it, and the
-//! close button works in them; the program's picture is drawn under them again whenever something changes.
+//! Questions and entries on the communication page. Esc cancels the question and the command that asks it, and the
+//! close button works too. The program's picture is redrawn under the page whenever something changes.
 
 use super::desk::{Desk, Over, Picture};
 use super::entry::{Accepts, Entry, Typed};
@@ -9,7 +9,7 @@ use crate::machine::{Asked, Key, Language, Manner, Stop, Tick};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
 
-/// The communication page's place at the top of the screen.
+/// The place of the communication page at the top of the screen.
 pub const TOP: (i32, i32) = (208, 5);
 /// The page's place in the middle of the picture.
 pub const MIDDLE: (i32, i32) = (200, 200);
@@ -77,7 +77,7 @@ impl<T: Copy + PartialEq> Choices<T> {
         self.draw_with(None, screen, language);
     }
 
-    /// Draws the page; the answer of Enter stands out.
+    /// Draws the page, with the answer of Enter highlighted.
     fn draw_with(&self, default: Option<T>, screen: &mut Screen, language: Language) {
         page(screen, self.place);
         for caption in &self.captions {
@@ -190,16 +190,16 @@ pub struct Field {
     pub at: (i32, i32),
     /// How many characters fit.
     pub longest: usize,
-    /// What is taken.
+    /// The numbers that are accepted.
     pub kind: Number,
 }
 
-/// What numbers a field takes. A number outside the range becomes its nearest end, as in the original.
+/// The numbers that a field accepts. As in the original, a number is clamped to the range.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Number {
     /// Whole numbers.
     Whole(RangeInclusive<i32>),
-    /// Numbers with a fraction.
+    /// Decimal numbers.
     Real(RangeInclusive<f64>),
 }
 
@@ -216,7 +216,7 @@ impl Number {
     /// The number that was typed, moved into the range; `None` if it is no number.
     pub fn read(&self, text: &str) -> Option<f64> {
         match self {
-            // Through a wide type: what is too large for the range is still a number.
+            // Parsed as a wide type: a number too large for the range is still a number.
             Number::Whole(range) => text
                 .parse::<i64>()
                 .ok()
@@ -229,14 +229,14 @@ impl Number {
     }
 }
 
-/// A page of `N` numbers that are typed one after the other.
+/// A page with `N` numbers to type, one after the other.
 #[derive(Clone, Debug)]
 pub struct Form<const N: usize> {
     /// The texts on the page.
     pub captions: Vec<Caption>,
     /// The numbers, in the order in which they are typed.
     pub fields: [Field; N],
-    /// What is drawn on the page besides.
+    /// Draws the rest of the page.
     pub ornament: fn(&mut Screen),
 }
 
@@ -257,7 +257,7 @@ impl Desk<'_> {
         self.choose_or(picture, &question.choices(), proposed).await
     }
 
-    /// Lets one of several answers be chosen by its letter or a click, and gives what it means.
+    /// Asks for one of several answers, chosen by letter or click, and returns its meaning.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
@@ -269,7 +269,7 @@ impl Desk<'_> {
         self.choose_or(picture, choices, None).await
     }
 
-    /// As [`Desk::choose`]; Enter gives the default answer, if there is one.
+    /// Like [`Desk::choose`]; Enter gives the default answer, if any.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
@@ -311,8 +311,8 @@ impl Desk<'_> {
         Ok(self.ask(picture, &Question::yes_no(title)).await? == Answer::First)
     }
 
-    /// Lets numbers be typed on the page at the top, one for each field of the form. What is no number
-    /// empties its window and is asked for again.
+    /// Asks for numbers on the page at the top, one for each field of the form. Text that is not a number is cleared
+    /// and asked for again.
     ///
     /// # Errors
     /// [`Stop`]: Esc in any of them, or the display is being closed.
@@ -359,12 +359,12 @@ impl Desk<'_> {
         Ok(numbers)
     }
 
-    /// Lets a file name without extension be typed.
+    /// Asks for a file name, typed without extension.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
     pub async fn file_name(&mut self, picture: &dyn Picture, extension: &str, way: Way) -> Asked<String> {
-        // Where the original puts the window differs by some pixels between saving and loading.
+        // The original places the window differently for saving and loading.
         let (right, dot_x, y) = match way {
             Way::Save => (350, 350, 221),
             Way::Load => (360, 364, 222),
@@ -430,7 +430,7 @@ impl Desk<'_> {
         }
     }
 
-    /// Lets one line be typed on the page at the top, below its caption.
+    /// Asks for a line of text on the page at the top, below a caption.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
@@ -461,7 +461,7 @@ impl Desk<'_> {
     }
 }
 
-/// Characters of a file name that is proposed, or typed instead.
+/// Greatest length of a file name with a proposal, in characters.
 const LONGEST_NAME: usize = 20;
 
 /// Whether a file name is asked for to save or to load.

@@ -6,7 +6,7 @@ use crate::geometry::Point;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
 
-/// The axes with their names and where these stand, from the axis's end.
+/// The axes with their names, and the offset of each name from the axis's end.
 const AXES: [(&str, Point<3>, (i32, i32)); 3] =
     [("x", [200.0, 0.0, 0.0], (2, 2)), ("y", [0.0, 200.0, 0.0], (2, 2)), ("z", [0.0, 0.0, 200.0], (5, 2))];
 
@@ -36,7 +36,7 @@ pub(crate) fn draw_axes(screen: &mut Screen, look: Look) {
     }
 }
 
-/// Draws the arrows and how to leave.
+/// Draws the arrows and the key that leaves.
 pub(crate) fn draw_legend(screen: &mut Screen, language: Language) {
     for [(x1, y1), (x2, y2)] in ARROWS {
         screen.line(x1, y1, x2, y2, Stroke::thin(Color::LightGray));

@@ -1,20 +1,20 @@
-//! A program's commands, each said once: key, button, line of help and action in a row of a table.
+//! Tables of commands: each row holds key, button, help line and action, so that none is written twice.
 
 use super::desk::KeyHelp;
 use super::frame::Button;
 use crate::machine::{Key, Language, Tick};
 use crate::screen::Screen;
 
-/// A command: how the user gives it, what the help page says about it, and what it does.
+/// A command: its key and button, its help line and its action.
 #[derive(Clone, Copy, Debug)]
 pub struct Command<A: 'static> {
-    /// The key besides the button's letter.
+    /// A key in addition to the button's letter.
     pub key: Option<Key>,
     /// The button, whose hot letter is a key too.
     pub button: Option<Button>,
     /// The line of the help page; neighbouring commands may share one.
     pub help: Option<KeyHelp>,
-    /// What it does; `None` for a line of help alone, such as what the mouse does.
+    /// Its action; `None` for a mere help line, such as one about the mouse.
     pub action: Option<A>,
 }
 
@@ -24,17 +24,17 @@ impl<A: Copy> Command<A> {
         Command { key: None, button: Some(button), help: Some(help), action: Some(action) }
     }
 
-    /// A command with a key alone.
+    /// A command with a key and no button.
     pub const fn key(key: Key, help: KeyHelp, action: A) -> Command<A> {
         Command { key: Some(key), button: None, help: Some(help), action: Some(action) }
     }
 
-    /// Another key, told in the line of a neighbour.
+    /// Another key, described by the help line of a neighbour.
     pub const fn also(key: Key, action: A) -> Command<A> {
         Command { key: Some(key), button: None, help: None, action: Some(action) }
     }
 
-    /// A line of help about something that is no command of this table.
+    /// A help line about something that is not a command of this table.
     pub const fn told(help: KeyHelp) -> Command<A> {
         Command { key: None, button: None, help: Some(help), action: None }
     }
@@ -44,7 +44,7 @@ impl<A: Copy> Command<A> {
         Command { key: Some(key), button: None, help: Some(help), action: None }
     }
 
-    /// The command without a line of its own on the help page.
+    /// The command without a help line.
     #[must_use]
     pub const fn untold(self) -> Command<A> {
         Command { help: None, ..self }
@@ -61,14 +61,14 @@ impl<A: Copy> Command<A> {
 pub struct Commands<A: 'static>(pub &'static [Command<A>]);
 
 impl<A: Copy> Commands<A> {
-    /// What a key or a click on a button does; letters work in either case.
+    /// The action of a key or of a click on a button; letters work in either case.
     pub fn find(&self, tick: &Tick) -> Option<A> {
         let Some((x, y)) = tick.click() else { return self.of_key(tick.key()?) };
         let hit = |command: &&Command<A>| command.button.is_some_and(|button| button.hit(x, y));
         self.0.iter().find(hit)?.action
     }
 
-    /// What a key does.
+    /// The action of a key.
     pub fn of_key(&self, key: Key) -> Option<A> {
         let typed = key.letter().map_or(key, Key::Char);
         self.0.iter().find(|command| command.keys().any(|key| key == typed))?.action
@@ -79,7 +79,7 @@ impl<A: Copy> Commands<A> {
         self.0.iter().filter_map(|command| command.button).for_each(|button| button.draw(screen, language));
     }
 
-    /// How many lines the help page has.
+    /// The number of help lines.
     pub const fn lines(&self) -> usize {
         let (mut lines, mut row) = (0, 0);
         while row < self.0.len() {

@@ -1,4 +1,4 @@
-//! The desk a program works at: the machine, the keys that mean the same everywhere, and the help page.
+//! The desk a program works at: the machine, the keys common to all programs, and the help page.
 
 use super::ask::TOP;
 use super::lesson::{self, Lesson};
@@ -15,8 +15,7 @@ pub trait Picture {
     /// Draws the picture in a language.
     fn draw(&self, screen: &mut Screen, language: Language);
 
-    /// The geometry that it shows, without title and axes: what F10 saves. `None` if it has none; the screen
-    /// is saved then.
+    /// Its geometry without title and axes, which F10 saves. If it is `None`, F10 saves the screen.
     fn figure(&self) -> Option<Figure> {
         None
     }
@@ -61,7 +60,7 @@ impl<F: Fn(&mut Screen, Language)> Picture for F {
     }
 }
 
-/// A picture with something drawn on top, such as a question; its figure is that of the picture.
+/// A picture with something drawn on top, such as a question. Its figure is that of the picture.
 pub struct Over<'p, F> {
     under: &'p dyn Picture,
     over: F,
@@ -96,7 +95,7 @@ pub const fn line(keys: &'static str, hungarian: &'static str, english: &'static
 /// The line about the key that ends the smallest programs.
 pub const END: KeyHelp = line("Esc", "vége", "end");
 
-/// What a program says about itself to its user.
+/// The description of a program on its help page.
 #[derive(Clone, Copy, Debug)]
 pub struct Manual {
     /// The program's name, in lower case, as files are named after it.
@@ -107,7 +106,7 @@ pub struct Manual {
     pub intro: Words,
     /// Its keys.
     pub keys: &'static [KeyHelp],
-    /// What it teaches, shown under the keys; empty for most.
+    /// An explanation of its subject, shown under the keys; empty for most.
     pub lesson: &'static [Lesson],
 }
 
@@ -123,7 +122,7 @@ pub struct Desk<'m> {
     aside: bool,
 }
 
-/// When a desk wakes a program without any event.
+/// When a desk wakes a program without an event.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Wake {
     Never,
@@ -142,8 +141,8 @@ impl<'m> Desk<'m> {
         self.manual.name
     }
 
-    /// Draws the picture and sleeps until an event for the program. F1 (help), F2 (language), F9 (settings), F10 (figure),
-    /// F12 (picture of the screen) and Ctrl+F12 (film) are handled here.
+    /// Draws the picture and sleeps until an event for the program. Handles F1 (help), F2 (language), F9 (settings),
+    /// F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) itself.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -151,7 +150,7 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::Never).await
     }
 
-    /// Like [`Desk::event`], but at a given moment returns a tick without an event.
+    /// Like [`Desk::event`], but returns a tick without an event at a given moment.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -159,7 +158,7 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::At(moment)).await
     }
 
-    /// Like [`Desk::event`], but at the next frame of an animation returns a tick without an event.
+    /// Like [`Desk::event`], but returns a tick without an event at the next frame of an animation.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -167,8 +166,8 @@ impl<'m> Desk<'m> {
         self.event_within(picture, Wake::Frame).await
     }
 
-    /// Time since the program started, without the time on the help page or in the questions about a figure: an
-    /// animation by this clock pauses there.
+    /// Time since the program started, without the time spent on the help page and in questions about a figure, so
+    /// that animations pause there.
     pub fn clock(&self) -> Duration {
         self.machine.now().saturating_sub(self.away)
     }
@@ -214,7 +213,7 @@ impl<'m> Desk<'m> {
         self.notice = Some(self.notice_of(text.into(), stay));
     }
 
-    /// Whether something could be done; else says why not.
+    /// Whether something succeeded; if not, says why.
     pub(crate) fn done(&mut self, result: Result<(), Phrase>, stay: Stay) -> bool {
         result.map_err(|problem| self.tell(problem, stay)).is_ok()
     }
@@ -261,7 +260,7 @@ impl<'m> Desk<'m> {
         self.notice = self.notice.take().or(filmed).or(other);
     }
 
-    /// Shows the help page and adds up the time it takes.
+    /// Shows the help page and stops the clock meanwhile.
     async fn help(&mut self) -> Asked<()> {
         let begun = self.machine.now();
         let ended = self.read_help().await;
@@ -269,8 +268,8 @@ impl<'m> Desk<'m> {
         ended
     }
 
-    /// Asks about a figure, saves it, and adds up the time it takes. The questions wait for events by this same desk, and
-    /// a recursive future has to be boxed.
+    /// Asks about a figure and saves it, and stops the clock meanwhile. The future is boxed because the questions
+    /// wait for events at this desk, so it is recursive.
     async fn save_figure(&mut self, picture: &dyn Picture) -> Asked<()> {
         let begun = self.machine.now();
         self.aside = true;
@@ -279,11 +278,11 @@ impl<'m> Desk<'m> {
         let ended = asked.await;
         self.aside = false;
         self.away += self.machine.now().saturating_sub(begun);
-        // Esc in any question: nothing is saved, and the program sees no event.
+        // After Esc in a question nothing is saved, and the program sees no event.
         ended.unless_cancelled().map(|_| ())
     }
 
-    /// Shows the settings and adds up the time it takes.
+    /// Shows the settings and stops the clock meanwhile.
     async fn change_settings(&mut self, picture: &dyn Picture) -> Asked<()> {
         let begun = self.machine.now();
         self.aside = true;
@@ -315,7 +314,7 @@ impl<'m> Desk<'m> {
     }
 }
 
-/// Keys of every program, listed after its own unless it lists them itself.
+/// Keys common to all programs, listed after the program's own ones.
 const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),

@@ -1,4 +1,4 @@
-//! One line of typing in a black window (procedure iras of the book).
+//! A line of input in a black window (procedure iras of the book).
 
 use super::frame::{Area, window};
 use crate::machine::Key;
@@ -9,37 +9,37 @@ use crate::screen::{Color, Screen};
 pub enum Accepts {
     /// Digits, minus sign, point and the E of an exponent.
     Number,
-    /// Letters, digits, minus sign and point, raised to upper case.
+    /// Letters, digits, minus sign and point, converted to upper case.
     Name,
     /// Anything, as it is typed.
     Text,
 }
 
-/// A line that is being typed.
+/// A line being typed.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// The window around it.
     pub area: Area,
-    /// Where the first character stands: upper left pixel.
+    /// Upper left pixel of the first character.
     pub at: (i32, i32),
     /// How many characters fit.
     pub longest: usize,
-    /// Which characters are taken.
+    /// The characters that are accepted.
     pub accepts: Accepts,
-    /// What has been typed so far.
+    /// The text so far.
     pub text: String,
     /// Whether the text is a proposal, which the first character replaces.
     proposed: bool,
 }
 
-/// What a key did to a line.
+/// The effect of a key on a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Typed {
-    /// The line goes on (or the key meant nothing to it).
+    /// Typing continues; the key may have been ignored.
     On,
     /// Enter: the line is complete.
     Done,
-    /// Esc: nothing shall happen.
+    /// Esc: the line is cancelled.
     Cancelled,
 }
 
@@ -49,14 +49,14 @@ impl Entry {
         Entry { area, at, longest, accepts, text: String::new(), proposed: false }
     }
 
-    /// The line with a proposal: Enter takes it, the first character replaces it, Backspace changes it and
-    /// Delete empties it.
+    /// The line with a proposal: Enter accepts it, the first character replaces it, Backspace edits it and Delete
+    /// clears it.
     #[must_use]
     pub fn proposing(self, text: impl Into<String>) -> Entry {
         Entry { text: text.into(), proposed: true, ..self }
     }
 
-    /// Takes a key.
+    /// Handles a key.
     pub fn key(&mut self, key: Key) -> Typed {
         match key {
             Key::Enter => return Typed::Done,
@@ -97,14 +97,14 @@ impl Entry {
         }
     }
 
-    /// Draws the window with what has been typed.
+    /// Draws the window with the text.
     pub fn draw(&self, screen: &mut Screen) {
         window(screen, self.area);
         let ink = if self.proposed { Color::Yellow } else { Color::White };
         screen.text(self.at.0, self.at.1, self.shown(), ink);
     }
 
-    /// What fits into the window: of a longer text the end, where one types.
+    /// The end of the text, as much as fits into the window.
     fn shown(&self) -> &str {
         if self.accepts != Accepts::Text {
             return &self.text;

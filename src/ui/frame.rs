@@ -1,5 +1,5 @@
-//! The furniture of the screen: raised and sunken frames, the communication page, black windows and
-//! visual buttons (units KOZOS and GOMB_KEZ of the book).
+//! Drawing of raised and sunken frames, the communication page, black windows and visual buttons (units KOZOS and
+//! GOMB_KEZ of the book).
 
 use super::words::Hot;
 use crate::machine::Language;
@@ -24,21 +24,21 @@ impl Area {
         Area { x1, y1, x2, y2 }
     }
 
-    /// Whether a pixel lies strictly inside, as the original's mouse test asks it.
+    /// Whether a pixel lies strictly inside, the original's test of clicks.
     pub fn holds(self, x: i32, y: i32) -> bool {
         self.x1 < x && x < self.x2 && self.y1 < y && y < self.y2
     }
 }
 
-/// Which way a frame looks: as if the area stood out of the screen or lay in it.
+/// Whether the area of a frame looks raised or sunken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Relief {
     Raised,
     Sunken,
 }
 
-/// A frame of four black-edged bars, lit from the upper left. A raised one lies outside the area, a
-/// sunken one inside.
+/// A frame of four black-edged bars, lit from the upper left. A raised one lies outside the area, a sunken one inside
+/// it.
 fn frame(screen: &mut Screen, area: Area, width: i32, relief: Relief) {
     let Area { x1, y1, x2, y2 } = area;
     let (out, upper_left, lower_right) = match relief {
@@ -54,12 +54,12 @@ fn frame(screen: &mut Screen, area: Area, width: i32, relief: Relief) {
     }
 }
 
-/// A frame outside an area, as if the area stood out of the screen.
+/// A frame around an area, which makes it look raised.
 pub fn raised(screen: &mut Screen, area: Area, width: i32) {
     frame(screen, area, width, Relief::Raised);
 }
 
-/// A frame inside an area, as if the area lay in the screen.
+/// A frame inside an area, which makes it look sunken.
 pub fn sunken(screen: &mut Screen, area: Area, width: i32) {
     frame(screen, area, width, Relief::Sunken);
 }
@@ -88,7 +88,7 @@ pub struct Button {
     pub x: i32,
     /// Upper edge.
     pub y: i32,
-    /// The text; its letter works on the keyboard.
+    /// The text; its hot letter is a key.
     pub text: Hot,
 }
 
@@ -112,8 +112,8 @@ impl Button {
         self.x + 4 + self.text.width(language) < self.area().x2
     }
 
-    /// Draws the button. The original's pressed look has the same pixels as this one: a frame of one
-    /// pixel shows nothing but its black edge.
+    /// Draws the button. The original's pressed button has the same pixels, since a frame of one pixel shows only its
+    /// black edge.
     pub fn draw(&self, screen: &mut Screen, language: Language) {
         raised(screen, Area::new(self.x, self.y, self.x + 70, self.y + 12), 1);
         hot_text(screen, self.x + 4, self.y + 2, self.text, Color::Black, language);

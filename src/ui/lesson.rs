@@ -1,5 +1,4 @@
-//! What a program teaches on its help page: lines of text, and tables of the operations on colours,
-//! drawn by those very operations.
+//! Explanations on the help page: lines of text, and tables of operations on colours, drawn by these operations.
 
 use super::words::{self, Words};
 use crate::machine::Language;
@@ -10,11 +9,11 @@ use crate::screen::{Color, Masks, Put, Screen, Stroke};
 pub enum Lesson {
     /// One line of text, at most 70 letters.
     Line(Words),
-    /// The table of an operation (chapter 1.2): a row for every colour on the screen, a column for every
-    /// colour of the bitmap, in the cell the colour that comes of them. Tables stand side by side.
+    /// The table of an operation (chapter 1.2): a row for each colour on the screen, a column for each colour of the
+    /// bitmap, and the resulting colour in the cell. Tables are drawn side by side.
     Operation(Put),
-    /// The table of the mouse driver's two masks (chapter 1.4): a row for every pair of mask bits, a
-    /// column for every colour on the screen.
+    /// The table of the mouse driver's two masks (chapter 1.4): a row for each pair of mask bits, a column for each
+    /// colour on the screen.
     Pointer,
 }
 
@@ -22,7 +21,7 @@ pub enum Lesson {
 const LINE: i32 = 12;
 /// Left edge of the page's text.
 const LEFT: i32 = 40;
-/// Distance of tables that stand side by side.
+/// Horizontal distance of tables.
 const TABLE: i32 = 260;
 /// Side of a table's cell in pixels.
 const CELL: i32 = 8;
@@ -95,8 +94,8 @@ fn operation(screen: &mut Screen, (x, y): (i32, i32), put: Put, language: Langua
     }
 }
 
-/// Lines around the headings and the cells of an operation's table with its title at (x, y), so that black
-/// cells are seen.
+/// Lines around the headings and cells of an operation's table with its title at (x, y). They make black cells
+/// visible.
 fn frames(screen: &mut Screen, (x, y): (i32, i32)) {
     let gray = Stroke::thin(Color::DarkGray);
     let (left, top) = (x + CELL + GAP, y + LINE + CELL + GAP);

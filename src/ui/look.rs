@@ -1,5 +1,5 @@
-//! How the user looks at space: the view and the scale, and the ways to change them. Nothing of this is saved or
-//! undone: it is no part of what is edited.
+//! The view of space and its scale, and how the user changes them. They are not part of the edited value, so they are
+//! neither saved nor undone.
 
 use crate::geometry::{Point, Turn, View};
 use crate::machine::{Button, Event, Key, Tick};
@@ -8,7 +8,7 @@ use crate::machine::{Button, Event, Key, Tick};
 const DOUBLING: i32 = 4;
 /// The largest number of steps away from the scale of 1: eight times as large or as small.
 const MOST: i32 = 3 * DOUBLING;
-/// Pixels that the mouse moves for a turn by a radian: the front of a ball of this radius follows it.
+/// Pixels of mouse movement per radian: the front of a ball of this radius follows the mouse.
 const RADIAN: f64 = 200.0;
 
 /// A pixel's coordinate. Rounds halves to even, as the original does; what is far outside stays far
@@ -21,30 +21,30 @@ pub(crate) fn pixel(value: f64) -> i32 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Look {
     pub(crate) view: View,
-    /// The view of the start, which Home goes back to.
+    /// The initial view, which Home restores.
     home: View,
     poles: Poles,
-    /// Wheel steps away from a pixel for a unit of length.
+    /// Wheel steps from the scale of one pixel per unit of length.
     zoom: i32,
 }
 
-/// What an arrow key does where the viewer looks straight along the axis z.
+/// What an arrow key does when the view is along the z axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Poles {
     /// It stops, as in the original.
     Stop,
-    /// It goes on to the other side.
+    /// It continues to the other side.
     Cross,
 }
 
 impl Look {
-    /// The look at every new configuration, from a direction.
+    /// The look at a new configuration from a direction.
     pub(crate) fn new(direction: Point<3>, poles: Poles) -> Look {
         let home = View::from_direction(direction);
         Look { view: home, home, poles, zoom: 0 }
     }
 
-    /// Pixels for a unit of length.
+    /// Pixels per unit of length.
     pub(crate) fn scale(self) -> f64 {
         (f64::from(self.zoom) / f64::from(DOUBLING)).exp2()
     }
@@ -55,21 +55,21 @@ impl Look {
         (pixel(x), pixel(y))
     }
 
-    /// A point dragged over so many pixels to the right and down: its depth stays.
+    /// A point dragged by pixels to the right and down; its depth stays.
     pub(crate) fn dragged(self, point: Point<3>, (right, down): (i32, i32)) -> Point<3> {
         self.view.moved(point, [right, -down].map(|pixels| f64::from(pixels) / self.scale()))
     }
 
-    /// Turned by a drag over so many pixels to the right and down, freely over the poles: what is in
-    /// front follows the mouse.
+    /// Turned by a drag by pixels to the right and down, across the poles as well: what is in front follows the
+    /// mouse.
     pub(crate) fn turned_by(self, (right, down): (i32, i32)) -> Look {
-        // The side is that of the drag's beginning, so that crossing a pole turns nothing round.
+        // The side is that at the start of the drag, so that nothing reverses when a pole is crossed.
         let side = if self.view.upside_down() { 1.0 } else { -1.0 };
         let view = self.view.turned(side * f64::from(right) / RADIAN, f64::from(down) / RADIAN);
         Look { view, ..self }
     }
 
-    /// Larger by so many steps of the wheel, or smaller.
+    /// Magnified by steps of the wheel; negative steps reduce.
     pub(crate) fn zoomed(self, steps: i32) -> Look {
         Look { zoom: self.zoom.saturating_add(steps).clamp(-MOST, MOST), ..self }
     }
@@ -115,7 +115,7 @@ impl Viewer {
         self.turning = None;
     }
 
-    /// Turns and zooms. Whether the event was for that.
+    /// Turns and zooms; returns whether the event was for that.
     pub(crate) fn look_around(&mut self, tick: &Tick) -> bool {
         if let Some((from, (x, y), button)) = self.turning {
             match tick.event {

@@ -1,8 +1,8 @@
 //! What every program shows its user: frames, visual buttons with hot letters, the communication page
 //! with its questions and entries, messages, the help page, and the words in Hungarian and English.
 //!
-//! The toolkit holds no state of a program: a question gets the program's own drawing and lays itself
-//! over it, so that the language can change and help can be read in the middle of a question.
+//! The toolkit holds no state of a program. A question draws the program's picture and itself on top, so that the
+//! language can change and the help page can open in the middle of a question.
 
 mod ask;
 pub(crate) mod axes;

@@ -1,4 +1,4 @@
-//! Messages that need no answer: drawn over the screen, gone after a while or at the next key.
+//! Messages that need no answer. They are drawn over the screen and disappear after a while or at the next key.
 
 use super::frame::panel;
 use super::words::Phrase;
@@ -7,7 +7,7 @@ use crate::machine::Language;
 use crate::screen::{Color, Screen, WIDTH};
 use std::time::Duration;
 
-/// How long a message stays that is only for information.
+/// How long a short message stays.
 pub(super) const MESSAGE_TIME: Duration = Duration::from_secs(2);
 
 /// How long a message stays.
@@ -22,21 +22,21 @@ pub enum Stay {
 /// A message over the screen.
 pub(super) struct Notice {
     pub(super) text: Phrase,
-    /// The moment at which it goes by itself.
+    /// The moment at which it disappears by itself.
     pub(super) until: Option<Duration>,
     /// Whether a film shows it.
     pub(super) filmed: bool,
 }
 
-/// Letters in a line of a short message, which stands where the questions stand.
+/// Letters in a line of a short message, which is drawn at the place of questions.
 const SHORT: usize = 28;
 /// Letters in a line of a long message.
 const LONG: usize = 56;
-/// Lines of a long message; nothing that programs say is longer.
+/// Lines of a long message; no program has a longer one.
 const LINES: usize = 8;
 
 impl Notice {
-    /// Draws the message over the question page when it is short, else below it on a larger panel.
+    /// Draws a short message over the question page, a long one below it on a larger panel.
     pub(super) fn draw(&self, screen: &mut Screen, language: Language) {
         let text = self.text.of(language);
         if text.chars().count() <= SHORT {
@@ -49,15 +49,15 @@ impl Notice {
     }
 }
 
-/// The lower edge of what is said to a question in the middle of the picture, above its page.
+/// Lower edge of the panel above a question in the middle of the picture.
 const ABOVE_QUESTION: i32 = 184;
 
-/// Draws what a question in the middle of the picture is about on a panel above it.
+/// Draws the facts about a question in the middle of the picture, on a panel above it.
 pub(super) fn preface(screen: &mut Screen, text: &str) {
     sheet(screen, text, |height| ABOVE_QUESTION - height);
 }
 
-/// Draws a text on a panel as high as it needs, whose upper edge follows from that.
+/// Draws a text on a panel of the height it needs; the upper edge is computed from the height.
 fn sheet(screen: &mut Screen, text: &str, top: impl Fn(i32) -> i32) {
     let mut lines = wrap(text, LONG);
     lines.truncate(LINES);

@@ -1,4 +1,4 @@
-//! Questions about what would be lost: with the facts above them, and before files are overwritten.
+//! Questions about loss: with the facts above them, and before files are overwritten.
 
 use super::ask::{Answer, Question};
 use super::desk::{Desk, Picture};
@@ -8,7 +8,7 @@ use crate::machine::{Asked, Language, Standing};
 use crate::screen::Screen;
 
 impl Desk<'_> {
-    /// Asks a yes-or-no question in the middle of the picture, with what it is about on a panel above it.
+    /// Asks a yes-or-no question in the middle of the picture, with the facts on a panel above it.
     ///
     /// # Errors
     /// [`Stop`](crate::machine::Stop): Esc, or the display is being closed.
@@ -25,8 +25,8 @@ impl Desk<'_> {
         self.ask(&picture, &question).await
     }
 
-    /// Whether files may be written under these names. Where there are files already, the user decides; that
-    /// one of them is no longer what this program has read or written is said.
+    /// Whether files may be written under these names. If files exist already, the user decides, and is told if one
+    /// has changed since this program read or wrote it.
     ///
     /// # Errors
     /// [`Stop`](crate::machine::Stop): Esc, or the display is being closed.
@@ -56,7 +56,7 @@ impl Desk<'_> {
                 }
                 (None, None) => return Ok(true),
             };
-            // What was agreed to was said of these contents: others may have come while the question stood.
+            // The user agreed to replace these contents; they may have changed during the question.
             if !agreed || self.standings(names) == standings {
                 return Ok(agreed);
             }

@@ -1,4 +1,4 @@
-//! A panel: a page of rows over the program's picture that stays while its values change.
+//! A panel: a page of rows over the program's picture, which stays open while its values change.
 
 use super::desk::{Desk, Picture};
 use super::entry::Accepts;
@@ -12,42 +12,42 @@ use std::ops::RangeInclusive;
 
 /// A row of a panel over a model. Functions get the row's number, so that rows of one kind share them.
 pub enum Row<M: 'static> {
-    /// A number that is typed.
+    /// A number to type.
     Value {
-        /// What it is called.
+        /// Its name.
         name: Words,
-        /// The number as it is.
+        /// The present number.
         get: fn(&M) -> f64,
-        /// Takes another one.
+        /// Sets another one.
         set: fn(&mut M, f64),
-        /// What it may be.
+        /// Its range.
         range: RangeInclusive<f64>,
     },
-    /// A text that is typed, under a caption.
+    /// A text to type, under a caption.
     Text {
-        /// What it is called.
+        /// Its name.
         name: Words,
-        /// What stands above the entry.
+        /// The caption above the entry.
         caption: Words,
-        /// The text as it is.
+        /// The present text.
         get: fn(&M) -> String,
         /// The text as it is shown.
         shown: fn(&M, usize, Language) -> String,
-        /// Takes another one.
+        /// Sets another one.
         set: fn(&mut M, &str),
     },
-    /// One of several, the next or the one before.
+    /// A choice among several values.
     Choice {
-        /// What it is called.
+        /// Its name.
         name: Words,
         /// The choice as it is shown.
         shown: fn(&M, usize, Language) -> String,
-        /// Goes on to the next (`true`) or back.
+        /// Chooses the next value (`true`) or the previous one.
         turn: fn(&mut M, usize, bool),
     },
-    /// Something to be done.
+    /// A button.
     Button(Words),
-    /// A picture of what the values make, as high as so many rows.
+    /// A picture of the result, with its height in rows.
     Preview(i32, fn(&M, &mut Screen, Area)),
 }
 
@@ -59,7 +59,7 @@ pub struct Tab<M: 'static> {
     pub rows: Vec<Row<M>>,
 }
 
-/// A panel, and where its user is on it.
+/// A panel with the chosen row.
 pub struct Panel<M: 'static> {
     /// Where it lies.
     pub area: Area,
@@ -73,7 +73,7 @@ pub struct Panel<M: 'static> {
     pub chosen: [usize; 2],
 }
 
-/// What the user has done on a panel.
+/// An action of the user on a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Done {
     /// Changed a value.
@@ -82,10 +82,10 @@ pub enum Done {
     Pressed(usize),
 }
 
-/// Height of a row, and where values stand from the left edge.
+/// Height of a row, and distance of values from the left edge.
 const LINE: i32 = 20;
 const VALUES: i32 = 232;
-/// Letters that a text may have.
+/// Greatest length of a text.
 const LONGEST: usize = 250;
 
 impl<M> Panel<M> {
@@ -143,7 +143,7 @@ impl<M> Panel<M> {
         screen.text(x1 + 16, y2 - 30, self.keys.of(language), Color::Black);
     }
 
-    /// Opens a tab at its first row that is no picture.
+    /// Opens a tab at its first row that is not a picture.
     fn open_tab(&mut self, tab: usize) {
         self.chosen = [tab, 0];
         if matches!(self.rows().first(), Some(Row::Preview(..))) {
@@ -151,7 +151,7 @@ impl<M> Panel<M> {
         }
     }
 
-    /// Chooses the next row, or the one before, around the end.
+    /// Chooses the next or the previous row, wrapping around.
     fn step(&mut self, by: usize) {
         let count = self.rows().len().max(1);
         for _ in 0..count {
@@ -181,7 +181,7 @@ impl<M> Panel<M> {
             Key::Up => self.step(count - 1),
             Key::Down => self.step(1),
             Key::Tab => self.open_tab((self.chosen[0] + 1) % self.tabs.len().max(1)),
-            // Only a choice has one before it.
+            // Only a choice has a previous value.
             Key::Left if !matches!(self.rows().get(self.chosen[1]), Some(Row::Choice { .. })) => {}
             Key::Left => return Some(false),
             Key::Right | Key::Enter | Key::Char(' ') => return Some(true),
@@ -192,7 +192,7 @@ impl<M> Panel<M> {
 }
 
 impl Desk<'_> {
-    /// Shows a panel over the program's picture until something is done on it; to be called again until Esc.
+    /// Shows a panel over the program's picture until the user acts on it. To be called repeatedly until Esc.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
@@ -321,7 +321,7 @@ mod tests {
         let (values, _, preview) = after("eb7e");
         assert_eq!((values[0], preview), (7.0, Some(Color::Yellow)));
         assert_eq!(after("eb3e").2, Some(Color::LightCyan));
-        // Out of range: told, and as it was.
+        // Out of range: it says so and keeps the value.
         assert_eq!(after("e5e").0[0], 5.0);
     }
 

@@ -1,4 +1,4 @@
-//! What a text on the screen is: the same in Hungarian and in English, with a hot letter or without.
+//! Texts in Hungarian and English, with or without a hot letter.
 
 use crate::machine::Language;
 use crate::screen::visible;
@@ -18,7 +18,7 @@ impl Words {
     }
 }
 
-/// A text that is put together while the program runs, in both languages.
+/// A text in both languages that is composed at run time.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Phrase {
     hungarian: Cow<'static, str>,
@@ -36,7 +36,7 @@ impl Phrase {
         Phrase { hungarian: shown(hungarian.into()), english: shown(english.into()) }
     }
 
-    /// What has one text for both languages: an error of the library, which speaks English.
+    /// A phrase with the same text in both languages, such as an error of the library, which is in English.
     pub fn plain(text: &dyn std::fmt::Display) -> Phrase {
         let text = text.to_string();
         Phrase::new(text.clone(), text)
@@ -57,7 +57,7 @@ impl From<Words> for Phrase {
     }
 }
 
-/// What stands behind a hot letter on a button or in an answer: the letter and the rest of the word.
+/// The text of a button or answer: a hot letter and the rest of the word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hot {
     /// The hot letter or digit, in upper case.

@@ -1,11 +1,11 @@
-//! What a program is, before it runs: its manual, its place in the menu, the files it opens, its start.
+//! The description of a program: its manual, its place in the menu, the files it opens, and how it starts.
 
 use super::{Manual, Phrase, Words};
 use crate::file::{Document, Format};
 use crate::machine::{Asked, Key, Machine};
 use std::pin::Pin;
 
-/// A running program: ready when it has ended.
+/// A running program: a future that is ready when it has ended.
 pub type Run<'m> = Pin<Box<dyn Future<Output = Asked<()>> + 'm>>;
 
 /// A program that is ready to run on a machine.
@@ -14,20 +14,20 @@ pub type Start = Box<dyn for<'m> FnOnce(&'m mut Machine) -> Run<'m>>;
 /// A program of the family.
 #[derive(Clone, Copy)]
 pub struct Program {
-    /// Its name, a line about it, its keys.
+    /// Its name, description and keys.
     pub manual: Manual,
     /// The book's chapters about it.
     pub chapter: &'static str,
     /// The programs it is shown and installed with.
     pub group: &'static Group,
-    /// The data files it opens. A file belongs to the first program of the list that opens it.
+    /// The formats it opens. A file belongs to the first program in the list that opens its format.
     pub opens: &'static [Format],
-    /// What its small picture in the menu shows.
+    /// The demo in its small picture in the menu.
     pub demo: Demo,
-    /// Makes it ready, with a document or without.
+    /// Prepares it, with or without a document.
     ///
     /// # Errors
-    /// Why it cannot work with the document.
+    /// The reason why it cannot open the document.
     pub start: fn(Option<Document>) -> Result<Start, Phrase>,
     /// What its command line takes.
     pub command_line: CommandLine,
@@ -36,19 +36,19 @@ pub struct Program {
 /// Programs that belong together.
 #[derive(Debug)]
 pub struct Group {
-    /// The folder that the installer makes for it, of eight letters at most as on the book's disk.
+    /// The folder that the installer creates for it, of at most eight letters as on the book's disk.
     pub folder: &'static str,
-    /// The same in lower case: the group's name on the command line.
+    /// The folder in lower case, which is the group's name on the command line.
     pub id: &'static str,
     /// The book's chapter.
     pub chapter: &'static str,
-    /// What the group is called.
+    /// Its name.
     pub name: Words,
-    /// What it is, in a sentence or two.
+    /// Its description, in a sentence or two.
     pub about: Words,
 }
 
-/// How a program is brought to show what it is for.
+/// How the menu demonstrates a program.
 #[derive(Clone, Copy, Debug)]
 pub struct Demo {
     /// The built-in sample that it opens; empty for none.
@@ -69,10 +69,10 @@ pub enum CommandLine {
     Install,
 }
 
-/// The start of a program that works without any document.
+/// The start of a program that takes no document.
 ///
 /// # Errors
-/// With a document: that it takes none.
+/// A message that it takes no document, if there is one.
 pub fn without_document<F>(document: Option<Document>, run: F) -> Result<Start, Phrase>
 where
     F: for<'m> FnOnce(&'m mut Machine) -> Run<'m> + 'static,

@@ -1,7 +1,7 @@
-//! What every program saves of what it shows: F10 a figure, F12 the screen, Ctrl+F12 a film.
+//! Saving what a program shows: F10 a figure, F12 the screen, Ctrl+F12 a film.
 //!
-//! A figure is the geometry of a picture, written as SVG, PNG or PDF with a title, a caption and axes; a
-//! picture without geometry gives its screen instead, in the same formats.
+//! A figure is the geometry of a picture, written as SVG, PNG or PDF with a title, a caption and axes. For a picture
+//! without geometry the screen is written instead, in the same formats.
 
 use super::ask::{Answer, Caption, Choices, Number, Question, TOP};
 use super::desk::{Desk, Picture};
@@ -25,7 +25,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// Every format with its extension, its answer and where that stands on the page.
+    /// Every format with its extension, its answer, and the left and right edge of the answer on the page.
     const ALL: [(Kind, &'static str, Hot, (i32, i32)); 3] = [
         (Kind::Svg, "svg", words::SVG, (16, 66)),
         (Kind::Png, "png", words::PNG, (86, 136)),
@@ -33,11 +33,11 @@ impl Kind {
     ];
 }
 
-/// The width of a PNG that is proposed.
+/// The proposed width of a PNG in pixels.
 const WIDTH_PROPOSED: &str = "1280";
-/// The largest width, still written quickly; the command line allows larger ones.
+/// The largest width in pixels, which is still written quickly. The command line allows larger ones.
 const WIDEST: i32 = 4096;
-/// Characters of a width, of a title and of a caption.
+/// Greatest lengths of a width, a title and a caption in characters.
 const LONGEST_NUMBER: usize = 5;
 const LONGEST_TITLE: usize = 80;
 const LONGEST_CAPTION: usize = 400;
@@ -49,7 +49,7 @@ enum Content {
 }
 
 impl Desk<'_> {
-    /// The key F10: asks what the figure shall be like, and saves it. Esc in any question saves nothing.
+    /// The key F10: asks about the figure and saves it. Esc in any question saves nothing.
     pub(super) async fn ask_and_save_figure(&mut self, picture: &dyn Picture) -> Asked<()> {
         let mut content = match picture.figure() {
             Some(figure) => Content::Figure(Box::new(figure)),
@@ -92,7 +92,7 @@ impl Desk<'_> {
         self.choose_or(picture, &choices, Some((Kind::Svg, "svg"))).await
     }
 
-    /// Asks for the width of a PNG until it is a number; one out of the range becomes its nearest end.
+    /// Asks for the width of a PNG until it is a number, and clamps it to the range.
     async fn ask_width(&mut self, picture: &dyn Picture, range: RangeInclusive<i32>) -> Asked<u32> {
         let number = Number::Whole(range);
         loop {
@@ -104,7 +104,7 @@ impl Desk<'_> {
         }
     }
 
-    /// Asks for what stands around a figure.
+    /// Asks for title, caption and axes of a figure.
     async fn ask_words(&mut self, picture: &dyn Picture, figure: &mut Figure) -> Asked<()> {
         let title = line_entry(LONGEST_TITLE, Accepts::Text).proposing(self.title());
         let title = self.type_line(picture, words::TITLE_ENTRY, title).await?;
@@ -126,7 +126,7 @@ impl Desk<'_> {
         Ok(())
     }
 
-    /// Asks for a name that is free, or shall be overwritten.
+    /// Asks for a name until it is free or may be overwritten.
     async fn ask_name(&mut self, picture: &dyn Picture, extension: &str) -> Asked<String> {
         let mut proposal = free_name(self.machine.storage(), self.manual.name, extension);
         loop {
@@ -140,7 +140,7 @@ impl Desk<'_> {
         }
     }
 
-    /// The title that is proposed: the name of the file that is worked on, else that of the program.
+    /// The proposed title: the name of the open file, else that of the program.
     fn title(&self) -> String {
         stem(self.machine.file().unwrap_or(self.manual.name)).to_uppercase()
     }
@@ -161,7 +161,7 @@ impl Desk<'_> {
         Ok(name)
     }
 
-    /// The key Ctrl+F12: begins a film, or ends the one that is being made.
+    /// The key Ctrl+F12: starts a film, or ends the one being recorded.
     pub(super) fn switch_film(&mut self) {
         if self.machine.film_end().is_some() {
             return self.end_film(Stay::Briefly);
@@ -175,7 +175,7 @@ impl Desk<'_> {
         }
     }
 
-    /// Ends and saves the film and says so, until it is read if the film ended by itself.
+    /// Ends and saves the film and says so. If the film ended by itself, the message stays until it is read.
     pub(super) fn end_film(&mut self, stay: Stay) {
         match (self.machine.stop_film(), stay) {
             (Ok(Some(name)), Stay::Briefly) => self.tell(words::film_saved(&name), stay),
@@ -185,10 +185,10 @@ impl Desk<'_> {
         }
     }
 
-    /// Shows the screen to the film; one that fails is over.
+    /// Adds the screen to the film. A film that fails is ended.
     pub(super) fn film_screen(&mut self) {
         if let Err(error) = self.machine.film_screen() {
-            // What has been recorded is saved all the same.
+            // What has been recorded is saved anyway.
             let _ = self.machine.stop_film();
             self.tell(words::storage_problem(&error), Stay::UntilRead);
         }
@@ -216,7 +216,8 @@ impl Content {
         }
     }
 
-    /// The file; a PNG has this width in pixels, a screen the nearest whole multiple.
+    /// The content of the file. A PNG has this width in pixels, that of a screen the nearest whole multiple of its
+    /// width.
     fn encode(&self, kind: Kind, width: u32) -> Result<Vec<u8>, FigureError> {
         match (self, kind) {
             (Content::Figure(figure), Kind::Svg) => figure.to_svg().map(String::into_bytes),

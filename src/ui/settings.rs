@@ -1,4 +1,4 @@
-//! The settings page (F9): what is chosen for all programs.
+//! The settings page (F9): preferences of all programs.
 
 use super::desk::{Desk, Picture};
 use super::frame::Area;
@@ -24,7 +24,7 @@ const fn name(preference: Preference) -> Words {
     }
 }
 
-/// What a value is called on the page.
+/// The text of a value on the page.
 fn shown(preference: Preference, value: &str, language: Language) -> String {
     let words = match (preference, value) {
         (Preference::Folder, "") => Words("(ahol elindul)", "(current folder)"),
@@ -41,7 +41,7 @@ fn shown(preference: Preference, value: &str, language: Language) -> String {
         (_, "contrast") => Words("nagy kontraszt", "high contrast"),
         (_, "colorblind") => Words("színtévesztőknek", "colour-blind safe"),
         (_, other) => {
-            // The end of a long path tells more than its beginning.
+            // The end of a long path says more than its beginning.
             let letters = other.chars().count();
             return other.chars().skip(letters.saturating_sub(ROOM)).collect();
         }
@@ -61,7 +61,7 @@ fn row(preference: Preference) -> Row<Preferences> {
             caption: words::FOLDER_ENTRY,
             get: |it| it.get(Preference::Folder),
             shown,
-            // Any text is a folder; whether there is one shows when a file is saved.
+            // Any text is accepted; whether the folder exists shows when a file is saved.
             set: |it, folder| drop(it.set(Preference::Folder, folder)),
         },
         _ => Row::Choice {
@@ -78,7 +78,7 @@ impl Desk<'_> {
     /// The key F9: shows the settings over the program's picture until Esc; every change counts at once and is
     /// kept.
     pub(super) async fn settings(&mut self, under: &dyn Picture) -> Asked<()> {
-        // All 16 colours, as they are now.
+        // The 16 colours with the present palette.
         let colors = Row::Preview(2, |_: &Preferences, screen: &mut Screen, area: Area| {
             for (x, color) in (area.x1 + 4..).step_by(27).zip(Color::ALL) {
                 screen.bar(x, area.y1 + 13, x + 26, area.y1 + 27, color);

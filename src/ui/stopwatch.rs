@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-/// Measures a game from its first change until it is solved. It looks at no clock: it is told the time.
+/// Measures a game from its first change until it is solved. It reads no clock; callers pass the time.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stopwatch {
     begun: Option<Duration>,
@@ -22,7 +22,7 @@ impl Stopwatch {
         self.begun.map_or(Duration::ZERO, |begun| self.ended.unwrap_or(now).saturating_sub(begun))
     }
 
-    /// When the time shows another second; `None` while it stands.
+    /// When the displayed second changes; `None` while the time stands still.
     #[must_use]
     pub fn next_second(&self, now: Duration) -> Option<Duration> {
         let begun = self.begun.filter(|_| self.ended.is_none())?;
@@ -52,7 +52,7 @@ mod tests {
         watch.note(true, second(80));
         watch.note(true, second(90));
         assert_eq!((watch.time(second(99)), watch.next_second(second(99))), (second(70), None));
-        // Taking the last move back goes on with the game.
+        // Undoing the last move continues the game.
         watch.note(false, second(100));
         assert_eq!(Stopwatch::text(watch.time(second(101))), "1:31");
     }

@@ -189,7 +189,7 @@ pub(crate) fn no_such_point(count: usize) -> Phrase {
     Phrase::new(format!("Nincs ilyen pont: 1...{count}"), format!("No such point: 1...{count}"))
 }
 
-/// A point of a file, counted from 1, does not lie in the field.
+/// A point of a file, counted from 1, lies outside the field.
 pub(crate) fn outside_field(number: usize, [x, y]: [f64; 2]) -> Phrase {
     let field = "x = 0...560, y = 0...380";
     Phrase::new(
@@ -343,7 +343,7 @@ pub(crate) const POINT: Hot = Hot::new('P', "ont", "-oint");
 pub(crate) const TANGENT: Hot = Hot::new('E', "rintő", "-tang.");
 pub(crate) const LENGTH: Hot = Hot::new('H', "ossz", "-len.");
 pub(crate) const ANGLE: Hot = Hot::new('S', "zög", "-angle");
-// The ROM's capitals with accents are hard to read; the original sets commas over plain ones.
+// The accented capitals of the ROM font are hard to read; the original draws commas over plain ones.
 pub(crate) const COONS_TITLE: Words = Words("COONS INTERPOLACIO", "COONS INTERPOLATION");
 pub(crate) const COONS_ACCENTS: Words = Words(",  ,", "");
 pub(crate) const ASK_AUTOMATIC: Words = Words(" Önműködő érintőszámítás ?", "    Automatic tangents?");
@@ -359,7 +359,7 @@ pub(crate) const HELP_CHANGE_TANGENT: Words =
 pub(crate) const HELP_DRAG_TANGENT: Words =
     Words("pont vagy érintő húzása", "drag a point or the tip of a tangent");
 
-/// What a number is before it is changed.
+/// The value of a number before it is changed.
 pub(crate) fn now_it_is(number: f64) -> Phrase {
     Phrase::new(format!("most: {number}"), format!("now: {number}"))
 }
@@ -375,7 +375,7 @@ pub(crate) const K0_NAME: Words = Words("k0", "k0");
 pub(crate) const BIAS_VALUE: Words = Words("Eltolás = ", "Bias = ");
 pub(crate) const TENSION_VALUE: Words = Words("Feszültség = ", "Tension = ");
 
-/// Why there is no curve. The rarer reasons have their sentence in English only.
+/// Why there is no curve. Rare reasons are in English only.
 pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
     let GeometryError::CriticalTension { bias, critical, .. } = error else { return Phrase::plain(error) };
     let number = |value: &f64| format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_string();
@@ -404,7 +404,7 @@ pub(crate) const NOT_IN_SPACE: Words =
 pub(crate) const OUTSIDE_SPACE: Words =
     Words("99-nél több pont vagy túl nagy koordináta", "More than 99 points, or too large a coordinate");
 
-/// The place of a point, counted from 1, as the line under the picture tells it.
+/// The line under the picture: the place of a point, counted from 1.
 pub(crate) fn place_of(number: usize, place: [f64; 3]) -> Phrase {
     let [x, y, z] = place.map(in_line);
     let line = |number_word: &str, place_word: &str| {
@@ -520,7 +520,7 @@ pub(crate) const HELP_SHAPES: Words = Words("eltolás, feszültség, u és v", "
 pub(crate) const INSPECTIONS: [Words; 3] =
     [Words("", ""), Words("zebracsíkok", "zebra stripes"), Words("Gauss-görbület", "Gaussian curvature")];
 
-/// What a coordinate looks like in the line under the picture.
+/// A coordinate in the line under the picture.
 fn in_line(value: f64) -> String {
     // Adding zero makes a negative zero positive.
     if value.abs() < 1e6 { format!("{:3.0}", value.round() + 0.0) } else { format!("{value:.2e}") }
@@ -539,7 +539,7 @@ pub(crate) fn height_of([k, l]: [usize; 2], height: f64) -> Phrase {
     Phrase::new(format!("Sorszám: {k}, {l} Magasság: z ={z}"), format!("Number: {k}, {l} Height: z ={z}"))
 }
 
-/// A number outside its range has been moved into it.
+/// A number has been clamped to its range.
 pub(crate) fn taken_into(range: &std::ops::RangeInclusive<f64>) -> Phrase {
     let (least, most) = (range.start(), range.end());
     Phrase::new(
@@ -548,7 +548,7 @@ pub(crate) fn taken_into(range: &std::ops::RangeInclusive<f64>) -> Phrase {
     )
 }
 
-/// Why there is no surface. The rarer reasons have their sentence in English only.
+/// Why there is no surface. Rare reasons are in English only.
 pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
     if let GeometryError::OddMeridians { given } = error {
         let hungarian =

@@ -8,7 +8,7 @@ use crate::ui::words::{self, Phrase};
 /// Files to be written: their names and contents.
 pub type Files = Vec<(String, Vec<u8>)>;
 
-/// The same name with another extension, in lower case if that of the name is.
+/// The name with another extension, in lower case if the old extension is.
 fn twin(name: &str, extension: &str) -> String {
     let (stem, old) = name.rsplit_once('.').unwrap_or((name, ""));
     let small = old.chars().any(char::is_lowercase);
@@ -73,7 +73,7 @@ pub fn with_json(document: Document, storage: &dyn Storage, name: &str) -> Docum
     }
 }
 
-/// Whether the JSON file beside a DOS file belongs to what is there, or to what is about to be written. Looking does
+/// Whether the JSON file beside a DOS file belongs to the present files, or to those about to be written. This does
 /// not count as reading, so that changes by others are still noticed.
 pub(super) fn has_json(disk: &machine::Files, name: &str, format: Format, new: &Files) -> bool {
     let read = |name: &str| match disk.standing(name) {
@@ -87,7 +87,7 @@ pub(super) fn has_json(disk: &machine::Files, name: &str, format: Format, new: &
 fn beside(read: impl Fn(&str) -> Option<Vec<u8>>, name: &str, format: Format) -> Option<(Document, Files)> {
     let json = Document::decode(FileKind::Json, &read(&json_name(name))?).ok()?;
     let files = dos_files(&json, format, name).ok()?;
-    // Without tangents it would leave an `.EC2` file out.
+    // Without tangents it would omit an `.EC2` file.
     let whole = format != Format::Ic2 || json.format() == Format::Ic2;
     whole.then_some((json, files))
 }
@@ -97,7 +97,7 @@ fn all_there(read: impl Fn(&str) -> Option<Vec<u8>>, files: &Files) -> bool {
 }
 
 /// A document as DOS files: the named file, and the `.EC2` file beside an `.IC2` file if there are tangents.
-/// [`design::lost`](crate::design::lost) says what they leave out.
+/// [`design::lost`](crate::design::lost) names what they omit.
 ///
 /// # Errors
 /// What is wrong with the points.

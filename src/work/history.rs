@@ -1,8 +1,8 @@
-//! Undo and redo of every change, and whether there is anything unsaved.
+//! Undo and redo, and whether there are unsaved changes.
 
-/// A value with its past and its undone future.
+/// A value with its undo and redo stacks.
 ///
-/// Values are kept whole: a drawing of 99 points takes 1.6 kilobytes, an hour of changes a few megabytes.
+/// Values are stored whole: a drawing of 99 points takes 1.6 kilobytes, an hour of changes a few megabytes.
 #[derive(Clone, Debug)]
 pub struct History<T> {
     past: Vec<T>,
@@ -26,12 +26,12 @@ impl<T: Clone + PartialEq> History<T> {
         }
     }
 
-    /// The value as it is now.
+    /// The present value.
     pub fn now(&self) -> &T {
         &self.now
     }
 
-    /// Makes a value the present one; an equal value is no change.
+    /// Commits a value; an equal value is not a change.
     pub fn change(&mut self, value: T) {
         if value != self.now {
             self.past.push(std::mem::replace(&mut self.now, value));
@@ -40,13 +40,13 @@ impl<T: Clone + PartialEq> History<T> {
         }
     }
 
-    /// Undoes one change; whether there was one.
+    /// Undoes one change; returns whether there was one.
     pub fn undo(&mut self) -> bool {
         self.touched = true;
         step(&mut self.past, &mut self.now, &mut self.future)
     }
 
-    /// Redoes one change; whether there was one.
+    /// Redoes one change; returns whether there was one.
     pub fn redo(&mut self) -> bool {
         self.touched = true;
         step(&mut self.future, &mut self.now, &mut self.past)
@@ -58,7 +58,7 @@ impl<T: Clone + PartialEq> History<T> {
         self.touched = true;
     }
 
-    /// Notes that no value at all has been saved.
+    /// Notes that no value has been saved.
     pub fn mark_unsaved(&mut self) {
         self.saved = None;
         self.touched = true;
@@ -74,13 +74,13 @@ impl<T: Clone + PartialEq> History<T> {
         self.saved.as_ref() != Some(value)
     }
 
-    /// Whether anything may have changed since the last call, so that a keeper of copies need not compare values after
-    /// every event.
+    /// Whether anything may have changed since the last call, so that callers need not compare values after every
+    /// event.
     pub fn take_touched(&mut self) -> bool {
         std::mem::take(&mut self.touched)
     }
 
-    /// Makes the next [`History::take_touched`] true, where a copy holds more than the value.
+    /// Makes the next [`History::take_touched`] return true, for copies that hold more than the value.
     pub fn touch(&mut self) {
         self.touched = true;
     }

@@ -1,5 +1,4 @@
-//! The life of what a program works on, a configuration or a game: new or stored, worked on, saved, left.
-//! Nothing is lost without having been asked.
+//! The life of a configuration or a game: new or stored, edited, saved, left. Nothing is lost without a question.
 
 use super::History;
 use super::choose::choose_file;
@@ -13,15 +12,15 @@ use crate::ui::{Answer, Desk, MIDDLE, Picture, Question, Stay, Way};
 use serde::Serialize;
 use std::time::Duration;
 
-/// The extension of what is not stored in a DOS format.
+/// The extension of files that are not in a DOS format.
 const JSON: &str = "JSON";
 
 /// What a program does after a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
-    /// The same configuration goes on.
+    /// Continue with the same configuration.
     Work,
-    /// A new configuration.
+    /// Start a new configuration.
     Restart,
     /// The end.
     End,
@@ -29,18 +28,18 @@ pub enum Next {
 
 /// A program's state with work that is undone, saved and rescued. It is a [`Document`].
 pub trait Work: Picture {
-    /// What is changed, undone and saved.
+    /// The value that is edited, undone and saved.
     type Value: Clone + PartialEq;
 
     /// The question whether to save.
     const ASK_SAVE: Words = words::ASK_SAVE;
-    /// What is told when it is saved.
+    /// The message when it has been saved.
     const SAVED: Option<Words> = None;
 
     /// The format of the stored documents.
     fn format(&self) -> Format;
 
-    /// The method that the program draws by where a document names none.
+    /// The program's method, for documents that name none.
     fn implied(&self) -> Option<Method> {
         None
     }
@@ -51,37 +50,37 @@ pub trait Work: Picture {
         Some(self.format()).filter(|format| format.size().is_some())
     }
 
-    /// The edited value with its past.
+    /// The edited value with its history.
     fn history(&mut self) -> &mut History<Self::Value>;
 
-    /// Whether something would be lost.
+    /// Whether there are unsaved changes.
     fn unsaved(&mut self) -> bool {
         self.history().unsaved()
     }
 
-    /// Goes back to the state before there is a configuration.
+    /// Returns to the state before there is a configuration.
     fn reset(&mut self);
 
-    /// Takes up a document that needs no saving.
+    /// Opens a document that needs no saving.
     ///
     /// # Errors
-    /// Why the program cannot work with it.
+    /// The reason why the program cannot open it.
     fn open(&mut self, document: &Document) -> Result<(), Phrase>;
 
     /// The work as a document.
     ///
     /// # Errors
-    /// Why it is none.
+    /// The reason why it is not a document.
     fn document(&self) -> Result<Document, Phrase>;
 
     /// The model as `dump` writes it.
     fn model(&self) -> impl Serialize + 'static;
 
-    /// Ends what cannot go on under a question about saving.
+    /// Ends what cannot continue during a question about saving.
     fn settle(&mut self) {}
 
-    /// What a program asks before it asks for a new or a stored configuration; `true` if the answer is a
-    /// configuration already.
+    /// Asks a question before the one for a new or a stored configuration; returns `true` if the answer is already a
+    /// configuration.
     ///
     /// # Errors
     /// [`Stop::Closed`] when the display is being closed.
@@ -89,21 +88,21 @@ pub trait Work: Picture {
         async { Ok(false) }
     }
 
-    /// Looks at the clock, and goes on to what is seen now.
+    /// Advances to the present time.
     fn look(&mut self, _desk: &Desk<'_>) {}
 
-    /// How long after that look something is due by itself, a step or another picture; `None` if nothing is.
+    /// How long after that time the next step or picture is due; `None` if none is.
     fn due(&self) -> Option<Duration> {
         None
     }
 
-    /// Works until a command leads out of the configuration.
+    /// Works until a command leaves the configuration.
     ///
     /// # Errors
     /// [`Stop::Closed`] when the display is being closed.
     fn work(&mut self, desk: &mut Desk<'_>) -> impl Future<Output = Asked<Next>>;
 
-    /// The whole configuration as text, including what its files cannot hold: what is kept while it is unsaved.
+    /// The whole configuration as text, including what its files cannot hold. It is kept while it is unsaved.
     ///
     /// # Errors
     /// What cannot be written.
@@ -111,10 +110,10 @@ pub trait Work: Picture {
         self.document()?.to_json().map_err(|error| Phrase::plain(&error))
     }
 
-    /// Takes up what [`Work::unsaved_work`] has written.
+    /// Restores what [`Work::unsaved_work`] has written.
     ///
     /// # Errors
-    /// What is wrong with it; the configuration stays as it was.
+    /// What is wrong with it; the configuration is then unchanged.
     fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
         self.open(&Document::from_json(work).map_err(|error| Phrase::plain(&error))?)
     }
@@ -128,7 +127,7 @@ pub trait Work: Picture {
         self.open(&with_json(document, storage, name))
     }
 
-    /// The work as the content of a JSON file, which names the method too.
+    /// The work as the content of a JSON file, including the method.
     ///
     /// # Errors
     /// What JSON cannot hold.
@@ -145,7 +144,7 @@ pub trait Work: Picture {
 /// [`Stop::Closed`] when the display is being closed and nothing is left to save.
 pub async fn run<W: Work>(mut state: W, desk: &mut Desk<'_>, document: Option<Document>) -> Asked<()> {
     let ended = live(&mut state, desk, document).await;
-    // The user has answered everything; a session that breaks off does not get here.
+    // The user has answered every question; a session that breaks off does not get here.
     rescue::forget(desk);
     ended
 }
@@ -165,7 +164,7 @@ async fn live<W: Work>(state: &mut W, desk: &mut Desk<'_>, document: Option<Docu
         };
         next = match step {
             Ok(next) => next,
-            // A cancelled command; nothing has changed.
+            // The command was cancelled; nothing has changed.
             Err(Stop::Cancelled) => Next::Work,
             Err(Stop::Closed) if may_close(state, desk).await => return Err(Stop::Closed),
             Err(Stop::Closed) => {
@@ -176,7 +175,7 @@ async fn live<W: Work>(state: &mut W, desk: &mut Desk<'_>, document: Option<Docu
     }
 }
 
-/// Offers lost work; whether some was taken up, as unsaved as it is.
+/// Offers lost work; returns whether some was restored. It is still unsaved.
 async fn offer_lost<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
     let taken = rescue::offer(state, desk).await?;
     if taken {
@@ -204,8 +203,8 @@ pub async fn event<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<Tick> {
     Ok(tick)
 }
 
-/// Carries out the keys that every editor shares: undo, redo, save, and Esc, which returns to the menu that runs the
-/// program. Whether the key was one of them.
+/// Carries out the keys common to all editors: undo, redo, save, and Esc, which returns to the menu that runs the
+/// program. Returns whether the key was one of them.
 ///
 /// # Errors
 /// [`Stop::Closed`] when the display is being closed, or to go back.
@@ -274,7 +273,7 @@ pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay
     Ok(done)
 }
 
-/// Asks for a name and saves; whether it was done.
+/// Asks for a name and saves; returns whether that was done.
 pub(crate) async fn save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
     state.settle();
     let extension = extension(state.saved_as());
@@ -304,8 +303,8 @@ pub(crate) async fn save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<b
     Ok(done)
 }
 
-/// The files that a configuration is stored in under a name. What its format cannot hold is said, and a JSON file
-/// beside it offered; a JSON file that already belongs to it is written without a question.
+/// The files of a configuration under a name. It says what the format cannot hold and offers a JSON file beside it. A
+/// JSON file that already belongs to it is written without a question.
 async fn files<W: Work>(state: &W, desk: &mut Desk<'_>, name: &str) -> Asked<Result<Files, Phrase>> {
     let json_file = |name: &str| Ok((name.to_owned(), state.json(name)?));
     let Some(format) = state.saved_as() else { return Ok(json_file(name).map(|file| vec![file])) };
@@ -346,10 +345,10 @@ fn store(files: &Files, storage: &mut dyn Storage) -> Result<(), Phrase> {
     Ok(())
 }
 
-/// Asks whether to save until it is answered and done; Esc: nothing shall be left.
+/// Asks whether to save, until that is answered and done. Esc cancels leaving.
 pub(crate) async fn offer_to_save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<()> {
     while desk.yes(&*state, W::ASK_SAVE).await? {
-        // Esc in the questions for the name leads back to this one.
+        // Esc in the question for the name returns to this one.
         if save(state, desk).await.unless_cancelled()? == Some(true) {
             break;
         }
@@ -374,8 +373,8 @@ pub async fn quit<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<Next> {
     Ok(Next::Work)
 }
 
-/// Whether the display may close: at once if everything is saved, else as the user decides. The close
-/// button pressed again leaves the question standing, so that no slip loses work.
+/// Whether the display may close: at once if everything is saved, else as the user decides. Pressing the close button
+/// again keeps the question open, so that no slip loses work.
 async fn may_close<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> bool {
     state.settle();
     while state.unsaved() {

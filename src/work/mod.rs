@@ -1,5 +1,5 @@
-//! The life of what a program works on, the same for editors, puzzles and billiards: new or stored, edited, undone,
-//! saved, left, and rescued after a session that broke off.
+//! The life of a document, the same for editors, puzzles and billiards: new or stored, edited, undone, saved, left,
+//! and rescued after a session that broke off.
 
 mod choose;
 mod files;

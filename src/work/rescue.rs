@@ -1,13 +1,13 @@
-//! Unsaved work is kept while it grows, and offered again after a session that broke off.
+//! Keeps unsaved work during a session, and offers it again after a session that broke off.
 
 use super::life::Work;
 use crate::machine::{self, Asked, Asking, Verdict};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Picture, Question, Stay};
 
-/// Keeps the work as long as it is unsaved. To be called when it may have changed, before the program waits:
-/// [`event`](super::event) does it. A machine without a place for it does not ask for the work. Why it cannot be kept
-/// is told once.
+/// Keeps the work while it is unsaved. To be called before the program waits, when the work may have changed, as
+/// [`event`](super::event) does. Without a [`Recovery`](crate::machine::Recovery), the work is not asked for. If it
+/// cannot be kept, the reason is shown once.
 pub fn keep<W: Work>(state: &mut W, desk: &mut Desk<'_>) {
     let touched = state.history().take_touched();
     let (program, file) = (desk.program(), desk.machine.file().map(str::to_string));
@@ -24,15 +24,15 @@ pub fn keep<W: Work>(state: &mut W, desk: &mut Desk<'_>) {
     }
 }
 
-/// Notes that nothing is left to keep: all is saved, or the user has decided so.
+/// Notes that nothing is left to keep: everything is saved, or the user gave it up.
 pub(super) fn forget(desk: &mut Desk<'_>) {
     if let Some(recovery) = desk.machine.recovery() {
         recovery.forget();
     }
 }
 
-/// Offers the work of sessions that broke off, the newest first, until one is taken up (`true`) or there is
-/// no more. While the question stands the program shows the work.
+/// Offers the work of sessions that broke off, newest first, until one is restored (`true`) or none is left. During
+/// the question the program shows the work.
 ///
 /// # Errors
 /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed; the work will be offered at
