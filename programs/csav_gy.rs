@@ -1,4 +1,4 @@
-//! CSAV_GY: a twisted ring (3.9), to be looked at from all sides (chapter 3.1).
+//! CSAV_GY: a twisted ring (3.9), viewed from all sides (chapter 3.1).
 
 use super::groups;
 use crate::editor::net::{self, Show};
@@ -37,10 +37,10 @@ pub const PROGRAM: Program = Program {
     command_line: CommandLine::Usual,
 };
 
-/// Lines around the ring and around its tube; the last of each is the first again.
+/// Numbers of lines around the ring and around its tube; the last line of each is the first again.
 const LINES: [usize; 2] = [72, 36];
 
-/// The ring: a circle of radius 60 around a middle line that waves six times out and up (3.9).
+/// The ring: a circle of radius 60 around a centre line with six waves outwards and upwards (3.9).
 fn ring() -> Grid {
     Grid::from_fn(LINES.map(|lines| lines + 1), [true; 2], |k, l| {
         let (along, around) = (TAU * k as f64 / LINES[0] as f64, TAU * l as f64 / LINES[1] as f64);

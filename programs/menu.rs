@@ -45,20 +45,20 @@ pub const PROGRAM: Program = Program {
 
 /// The time between two pictures of the chosen program.
 const STEP: Duration = Duration::from_millis(50);
-/// After so long without a key the pictures stand, so that a forgotten menu takes no power.
+/// After this time without a key the pictures stop, so that a forgotten menu uses no power.
 const REST: Duration = Duration::from_secs(30);
 
 /// What the menu shows.
 struct Menu {
-    /// Number of the chosen program.
+    /// Index of the chosen program.
     chosen: usize,
-    /// What is searched for, in lower case.
+    /// The search text, in lower case.
     search: String,
-    /// The small pictures made so far, by the programs' numbers.
+    /// The small pictures made so far, by the index of the program.
     previews: BTreeMap<usize, Preview>,
 }
 
-/// What an event makes the menu do.
+/// The effect of an event.
 enum Next {
     Stay,
     Start,
@@ -66,14 +66,14 @@ enum Next {
 }
 
 impl Menu {
-    /// Whether a program has what is searched for.
+    /// Whether a program matches the search text.
     fn finds(&self, index: usize) -> bool {
         let Some(program) = ALL.get(index) else { return false };
         let Words(hungarian, english) = program.manual.about;
         [program.manual.name, hungarian, english].iter().any(|text| folded(text).contains(&self.search))
     }
 
-    /// Chooses the first found program behind or before the chosen one, around the end.
+    /// Chooses the next or the previous matching program, wrapping around.
     fn step(&mut self, forward: bool) {
         let mut order: Vec<usize> = layout::order().collect();
         if !forward {
@@ -95,7 +95,7 @@ impl Menu {
         }
     }
 
-    /// Changes what is searched for; a longer word that nothing has is not taken.
+    /// Changes the search text, unless nothing matches the longer text.
     fn look_for(&mut self, search: String) {
         let before = std::mem::replace(&mut self.search, search);
         match layout::order().find(|&index| self.finds(index)) {
@@ -146,7 +146,7 @@ impl Menu {
         line.or_else(|| shown.find(|&(at, _)| picture_area(at).holds(x, y)).map(|(_, index)| index))
     }
 
-    /// A program of the chosen group whose picture is still to be made, the chosen one first.
+    /// A program of the chosen group that has no picture yet, the chosen one first.
     fn missing(&self) -> Option<usize> {
         let group = layout::group(self.chosen).into_iter().flat_map(layout::programs);
         std::iter::once(self.chosen).chain(group).find(|index| !self.previews.contains_key(index))
@@ -159,7 +159,7 @@ impl Menu {
     }
 }
 
-/// A text as it is searched in: small letters without accents, so that a search needs no Hungarian keyboard.
+/// A text folded for searching: lower case without accents, so that no Hungarian keyboard is needed.
 fn folded(text: &str) -> String {
     let plain = |letter: char| match letter {
         'á' => 'a',
@@ -265,7 +265,7 @@ async fn run(machine: &mut Machine) -> Asked<()> {
                     desk.machine.set_file(None);
                     desk.machine.become_guest();
                     let ended = start(desk.machine).await;
-                    // Esc brings back here; the close button closes the menu too.
+                    // Esc returns here; the close button closes the menu too.
                     if !desk.machine.end_visit() {
                         ended.unless_cancelled()?;
                     }

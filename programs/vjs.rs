@@ -86,9 +86,9 @@ pub const PROGRAM: Program = Program {
     command_line: CommandLine::Usual,
 };
 
-/// How far the handle gets from the middle of its square, in pixels.
+/// Largest displacement of the handle from the middle of its square, in pixels.
 const TILT: i32 = 40;
-/// How far an arrow key tilts it, in pixels.
+/// Displacement by an arrow key, in pixels.
 const TILT_STEP: i32 = 5;
 
 /// The stick and the point that it drives.
@@ -112,8 +112,8 @@ struct Model {
 }
 
 impl Joystick {
-    /// Lets the motion reach a moment of the desk's clock. Returns the part of the next step that has
-    /// passed by then, 0 to 1.
+    /// Advances the motion to a moment of the desk's clock. Returns the fraction of the next step that has passed by
+    /// then, 0 to 1.
     fn run_to(&mut self, now: Duration) -> f64 {
         let step = Duration::from_secs(1) / STEPS_PER_SECOND;
         let time = now.saturating_sub(self.begun).as_nanos();
@@ -173,7 +173,7 @@ async fn run(machine: &mut Machine) -> Asked<()> {
             Some(Action::Back) if joystick.held => joystick.let_go(),
             Some(Action::Back | Action::End) => return Ok(()),
             Some(Action::Restart) => joystick = Joystick { begun: desk.clock(), ..Joystick::default() },
-            // The mouse that holds the handle comes before the keys.
+            // While the mouse holds the handle, keys do not move it.
             Some(Action::Tilt(dx, dy)) if !joystick.held => joystick.tilt(x + dx, y + dy),
             Some(Action::Upright) if !joystick.held => joystick.tilt(0, 0),
             _ => {}

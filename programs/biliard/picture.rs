@@ -23,7 +23,7 @@ pub(crate) struct View<'a> {
     pub(crate) table: Table,
     /// The shot that is being aimed, with the ghost's place.
     pub(crate) aimed: Option<(Shot, (i32, i32))>,
-    /// Whether the way of the aimed shot is shown.
+    /// Whether the path of the aimed shot is shown.
     pub(crate) line: bool,
     /// Spin of the next shot in quarters of its speed.
     pub(crate) spin: i32,
@@ -61,14 +61,14 @@ impl View<'_> {
     }
 }
 
-/// The ball at a pixel: the nearest one whose disc is there.
+/// The ball at a pixel: the nearest one whose disc contains it.
 pub(crate) fn ball_at(balls: &[Vector], x: i32, y: i32) -> Option<usize> {
     let distance = |at: Vector| {
         let (bx, by) = pixel(at);
         (x - bx) * (x - bx) + (y - by) * (y - by)
     };
     let nearest = balls.iter().enumerate().min_by_key(|(_, at)| distance(**at));
-    // The disc's rim is half a pixel outside of its radius.
+    // The edge of the disc is half a pixel outside its radius.
     nearest.filter(|(_, at)| distance(**at) <= DISC * DISC + DISC).map(|(index, _)| index)
 }
 
@@ -127,7 +127,7 @@ fn draw_line(screen: &mut Screen, from: Vector, to: Vector, stroke: Stroke) {
     screen.line(x1, y1, x2, y2, stroke);
 }
 
-/// A line of fixed length in a direction; none for a ball that stops.
+/// A line of fixed length in the direction of motion; none for a ball that stops.
 fn draw_arrow(screen: &mut Screen, from: Vector, velocity: Vector, stroke: Stroke) {
     let speed = (velocity[0] * velocity[0] + velocity[1] * velocity[1]).sqrt();
     if speed > 1e-6 {

@@ -15,7 +15,7 @@ use std::time::Duration;
 
 /// The most spin of a shot, in quarters of its speed.
 const MOST_SPIN: i32 = 4;
-/// Where the mouse may be while it aims: the cloth, as in the original.
+/// The area of the mouse while aiming: the cloth, as in the original.
 const CLOTH: [[i32; 2]; 2] = [[38, 601], [38, 441]];
 
 /// What a command does.
@@ -60,11 +60,11 @@ struct Grip {
     ball: usize,
     /// Where the button went down.
     from: (i32, i32),
-    /// Where the ghost is, once the mouse has moved.
+    /// The place of the ghost, once the mouse has moved.
     ghost: Option<(i32, i32)>,
 }
 
-/// The program's state: the game with its past is what undo restores, all else is view.
+/// The program's state. Undo restores the game only; all else is view.
 struct Player {
     games: History<Game>,
     discs: Discs,
@@ -72,7 +72,7 @@ struct Player {
     rolling: Option<Rolling>,
     line: bool,
     spin: i32,
-    /// Time on the machine's clock: balls roll on while help is read.
+    /// Time on the machine's clock; balls continue to roll while help is read.
     now: Duration,
 }
 
@@ -154,7 +154,7 @@ impl Work for Player {
         }
     }
 
-    /// Balls must rest: the clock goes on while a question stands.
+    /// Brings the balls to rest, because the clock runs during questions.
     fn settle(&mut self) {
         self.grip = None;
         self.come_to_rest();
@@ -164,7 +164,7 @@ impl Work for Player {
         Ok(true)
     }
 
-    /// Makes the steps that are due, and takes up where the balls have come to rest.
+    /// Makes the steps that are due, and commits the game when the balls have come to rest.
     fn look(&mut self, desk: &Desk<'_>) {
         self.now = desk.machine.now();
         if self.rolling.as_mut().is_some_and(|rolling| rolling.advance(self.now)) {
@@ -223,7 +223,7 @@ impl Player {
     }
 
     fn mouse(&mut self, tick: &Tick) {
-        // The button may have gone up while the help page was read.
+        // The button may have been released on the help page.
         let let_go = tick.event == Some(Event::Release(Button::Left));
         self.grip = self.grip.filter(|_| let_go || tick.mouse.holds(Button::Left));
         match tick.event {
@@ -239,7 +239,7 @@ impl Player {
         }
     }
 
-    /// Moves the ghost; it appears when the mouse has left the place of the click by more than a pixel.
+    /// Moves the ghost. It appears when the mouse is more than a pixel away from the click.
     fn drag(&mut self, x: i32, y: i32) {
         let Some(grip) = &mut self.grip else { return };
         let far = (x - grip.from.0).abs() + (y - grip.from.1).abs() > 1;
@@ -252,7 +252,7 @@ impl Player {
     fn let_go(&mut self) {
         let Some(grip) = self.grip.take() else { return };
         let shot = grip.ghost.and_then(|ghost| self.games.now().shot(grip.ball, ghost, self.spin));
-        // A ghost brought back onto the ball's centre is no shot.
+        // A ghost on the ball's centre is not a shot.
         if let Some(shot) = shot.filter(|shot| shot.velocity != [0.0, 0.0]) {
             self.rolling = Rolling::start(shot, Pace::Full, self.now);
             self.games.touch();
@@ -292,7 +292,7 @@ impl Player {
         self.games.change(change(self.games.now()));
     }
 
-    /// A shot in motion is taken back by stopping it.
+    /// A shot in motion is undone by stopping it.
     fn undo(&mut self, desk: &mut Desk<'_>) {
         self.grip = None;
         let stopped = self.rolling.take().is_some_and(|rolling| rolling.pace == Pace::Full);
@@ -327,7 +327,7 @@ impl Player {
         Ok(())
     }
 
-    /// Asks whether this is the end; a game for points is offered to be saved first.
+    /// Asks whether to end; before that, offers to save a game for points.
     async fn end(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
         self.settle();
         if !desk.yes(&*self, words::ASK_END).await? {

@@ -26,8 +26,8 @@ impl Pace {
     }
 }
 
-/// A shot whose balls have not come to rest yet. Steps are made when their time has come, whenever that is
-/// noticed, so that the motion is the same at any rate of pictures.
+/// A shot whose balls are still in motion. Steps fall on fixed times, so that the motion does not depend on the frame
+/// rate.
 #[derive(Clone)]
 pub(crate) struct Rolling {
     pub(crate) shot: Shot,
@@ -54,7 +54,7 @@ impl Rolling {
         self.table.at_rest()
     }
 
-    /// The game that the shot leads to, from the one it was made in.
+    /// The game after the shot, from the one before it.
     pub(crate) fn outcome(&self, game: &Game) -> Game {
         let mut ahead = self.clone();
         while !ahead.table.at_rest() {

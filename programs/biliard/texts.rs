@@ -1,4 +1,4 @@
-//! What the billiard says, in Hungarian and English.
+//! The texts of BILIARD in Hungarian and English.
 
 use crate::machine::Language;
 use crate::table::{GOAL, Points};

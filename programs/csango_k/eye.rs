@@ -28,7 +28,7 @@ pub(crate) struct Eye {
 impl Eye {
     pub(crate) const HOME: Eye = Eye { around: 0, height: 0 };
 
-    /// Turned by so many steps; a whole turn is the same again.
+    /// Turned by a number of steps, modulo a whole turn.
     pub(crate) fn turned(self, steps: i32) -> Eye {
         Eye { around: (self.around + steps).rem_euclid(12), ..self }
     }
@@ -54,7 +54,7 @@ impl Eye {
     /// straight lines of the picture.
     fn projected(self, place: Place) -> [f64; 3] {
         let [right, up, near] = self.seen(place);
-        // The table and all on it are within 300 pixels of the middle.
+        // The table and everything on it lie within 300 pixels of the middle.
         let scale = DISTANCE / (DISTANCE - near).max(1.0);
         [right * scale, up * scale, scale]
     }
@@ -93,7 +93,7 @@ impl Eye {
         (right.round() as i32, -up.round() as i32)
     }
 
-    /// The two axes of the table's three that span the plane which faces the viewer most.
+    /// The two axes of the table whose plane faces the viewer most.
     pub(crate) fn facing_plane(self) -> [usize; 2] {
         let towards = |axis: usize| {
             let mut unit = [0.0; 3];

@@ -1,4 +1,4 @@
-//! A piece held by the mouse: it follows cell by cell as far as its way is free.
+//! A piece held by the mouse, which follows it cell by cell as far as its way is free.
 
 use super::eye::{EDGE, Eye, centre};
 use crate::puzzle::cube::{Action, CsangoCube, Move, Rules};
@@ -49,7 +49,7 @@ impl Hand {
         while axes.into_iter().any(|axis| self.towards(axis, goal)) {}
     }
 
-    /// One cell nearer to a goal along an axis; whether it went.
+    /// Moves one cell towards a goal along an axis; returns whether it moved.
     fn towards(&mut self, axis: usize, goal: [i8; 3]) -> bool {
         let Some(piece) = self.cube.pieces.get(self.piece) else { return false };
         let ways = [[Action::X, Action::U], [Action::Y, Action::V], [Action::Z, Action::W]];
@@ -61,12 +61,12 @@ impl Hand {
     }
 
     fn go(&mut self, action: Action) -> bool {
-        // Moves by a cell need the same under all rules.
+        // Moves by one cell are the same under all rules.
         let after = self.cube.after(Move { piece: self.piece, action }, Rules::Book);
         after.map(|after| self.cube = after).is_ok()
     }
 
-    /// Lifts the piece by so many cells as far as there is room.
+    /// Lifts the piece by a number of cells, as far as there is room.
     pub(crate) fn lift(&mut self, steps: i32) {
         let (action, by) = if steps > 0 { (Action::Z, 1) } else { (Action::W, -1) };
         for _ in 0..steps.unsigned_abs().min(10) {

@@ -1,4 +1,4 @@
-//! The furniture around the field: title, panels, buttons.
+//! What surrounds the field: title, panels, buttons.
 
 use super::texts;
 use crate::machine::{Key, Language};
@@ -41,7 +41,7 @@ pub(crate) fn key_at(x: i32, y: i32) -> Option<Key> {
     moves.chain(BUTTONS).find(|(_, area)| area.holds(x, y)).map(|(key, _)| key)
 }
 
-/// Draws all but what is in the field; `hint` is the letter of a move to be shown.
+/// Draws everything except the field; `hint` is the letter of a move to show.
 pub(crate) fn draw(screen: &mut Screen, language: Language, selected: Color, hint: Option<char>) {
     screen.clear(Color::LightCyan);
     title(screen, language);
@@ -106,7 +106,7 @@ fn capital(screen: &mut Screen, x: i32, y: i32, letter: char) {
     screen.title(x, y, letter.encode_utf8(&mut text), Color::Cyan, 2, Direction::Horizontal);
 }
 
-/// What a move does: a straight arrow, or one with an arc around it.
+/// The symbol of a move: a straight arrow, or one with an arc around it.
 fn sign(screen: &mut Screen, letter: char, area: Area) {
     let thin = Stroke::thin(Color::Black);
     let (x, y) = (area.x1, area.y1 + 20);

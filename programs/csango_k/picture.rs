@@ -6,7 +6,7 @@ use crate::file::cube::{CsangoCube, CubePiece, shape};
 use crate::geometry::{DepthBuffer, Vertex};
 use crate::screen::{Color, Screen, Stroke};
 
-/// The pieces as the viewer sees them: piece `k`, from 1, in colour `k`.
+/// The visible pieces: piece `k`, from 1, in colour `k`.
 pub(crate) struct Scene(DepthBuffer);
 
 impl Scene {
@@ -26,7 +26,7 @@ impl Scene {
         Scene(buffer)
     }
 
-    /// The piece that is seen at a pixel of the screen, from 0.
+    /// The visible piece at a pixel of the screen, from 0.
     pub(crate) fn piece_at(&self, x: i32, y: i32) -> Option<usize> {
         let color = self.0.pixel(x - FIELD.x1, y - FIELD.y1)?;
         usize::from(color).checked_sub(1)
@@ -71,7 +71,7 @@ fn draw_piece(buffer: &mut DepthBuffer, eye: Eye, index: usize, piece: CubePiece
     }
 }
 
-/// Twice the area of a polygon of the picture, with its sign.
+/// Twice the signed area of a polygon of the picture.
 fn area(pixels: &[[f64; 2]]) -> f64 {
     let next = pixels.iter().cycle().skip(1);
     pixels.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()

@@ -18,7 +18,7 @@ use std::time::Duration;
 
 /// Time within which a second digit belongs to the first.
 const DIGITS: Duration = Duration::from_millis(1000);
-/// Random tries to move a piece in a scramble.
+/// Number of random attempts to move a piece in a scramble.
 const TRIES: u32 = 2000;
 
 /// What a command does.
@@ -166,7 +166,7 @@ impl Player {
         plan.moves.front().copied()
     }
 
-    /// The line under the field: nothing before the first move.
+    /// The line under the field; empty before the first move.
     fn line(&self, language: Language) -> String {
         match (&self.task, self.hint()) {
             (Task::Seeking(quest), _) => texts::progress(quest.progress(), language),
@@ -179,7 +179,7 @@ impl Player {
         }
     }
 
-    /// Goes on with what the program does by itself.
+    /// Continues what the program does by itself.
     fn go_on(&mut self, desk: &mut Desk<'_>) {
         match std::mem::replace(&mut self.task, Task::Idle) {
             Task::Idle => {}
@@ -214,7 +214,7 @@ impl Player {
         self.plan = Some(plan);
     }
 
-    /// Makes a move if it is allowed; whether it was.
+    /// Makes a move if it is allowed; returns whether it was.
     fn make(&mut self, step: Move) -> bool {
         let Ok(cube) = self.plays.now().cube.after(step, self.rules) else { return false };
         self.plan = self.plan.take().and_then(|plan| plan.after(step, cube));
@@ -222,7 +222,7 @@ impl Player {
         true
     }
 
-    /// Makes another position the present one, so many moves later.
+    /// Commits another position, and adds to the number of moves.
     fn change(&mut self, cube: CsangoCube, moves: u32) {
         self.hinted = false;
         self.clock.note(false, self.now);
@@ -239,14 +239,14 @@ impl Player {
         }
     }
 
-    /// Another position, from which the moves are counted anew.
+    /// Commits another position and restarts the count of moves.
     fn begin(&mut self, cube: CsangoCube) {
         self.plays.change(Play { cube, moves: 0 });
         self.clock = Stopwatch::default();
         (self.hinted, self.plan, self.task) = (false, None, Task::Idle);
     }
 
-    /// Another scramble every time, the same ones in every session of a seed.
+    /// A new scramble each time; sessions with the same seed get the same ones.
     fn scramble(&mut self) {
         self.seed = self.seed.wrapping_add(1);
         self.begin(self.plays.now().cube.scrambled(self.seed, TRIES, self.rules));
@@ -270,7 +270,7 @@ impl Player {
         self.hinted = false;
     }
 
-    /// A digit chooses a piece, two of them one above 9.
+    /// A digit chooses a piece; two digits choose one above 9.
     fn digit(&mut self, digit: usize) {
         let before = self.digit.filter(|&(_, at)| self.now.saturating_sub(at) < DIGITS);
         let number = before.map(|(first, _)| 10 * first + digit).filter(|&number| number <= PIECES);
@@ -433,7 +433,7 @@ impl Work for Player {
     }
 
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
-        // The close button may have been pressed in the middle of something.
+        // The close button may have been pressed in the middle of a task.
         (self.hand, self.task) = (None, Task::Idle);
         loop {
             let tick = work::event(self, desk).await?;

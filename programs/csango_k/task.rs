@@ -1,4 +1,4 @@
-//! What the program does by itself: looking for a filling, for the moves that build it, and making them.
+//! What the program does by itself: searching for a packing and for the moves that build it, and playing them.
 
 use crate::puzzle::cube::{CsangoCube, Move, Progress, Rules, Search, Way, WayError};
 use std::collections::VecDeque;
@@ -34,13 +34,13 @@ enum Stage {
 }
 
 impl Quest {
-    /// A search that leaves the pieces which lie in the cube's place where they are, if it can.
+    /// A search that keeps pieces inside the cube where they are, if possible.
     pub(crate) fn new(from: CsangoCube, rules: Rules, wanted: Wanted, seed: u64) -> Quest {
         let search = Search::new(&from.placed(), seed);
         Quest { wanted, from, rules, stage: Stage::Filling(search), all_out: false }
     }
 
-    /// How far it is: nodes of the search, pieces that have their way.
+    /// The progress: nodes searched, pieces with a path.
     pub(crate) fn progress(&self) -> (u64, usize) {
         match &self.stage {
             Stage::Filling(search) => (search.nodes(), 0),
@@ -48,7 +48,7 @@ impl Quest {
         }
     }
 
-    /// Goes on for a frame's time; the moves when they are found.
+    /// Continues for the time of a frame; returns the moves when they are found.
     ///
     /// # Errors
     /// [`WayError`] if there are none.
@@ -70,7 +70,7 @@ impl Quest {
         Ok(None)
     }
 
-    /// Begins again without keeping anything in its place; that failing is the end.
+    /// Starts again with all pieces free to move; if that fails too, the search ends.
     fn anew(&mut self, problem: WayError) -> Result<(), WayError> {
         if self.all_out {
             return Err(problem);
@@ -99,7 +99,7 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// The plan after a move: it goes on if that was its own.
+    /// The plan after a move, which continues if the move was its own.
     pub(crate) fn after(mut self, step: Move, cube: CsangoCube) -> Option<Plan> {
         let own = self.moves.pop_front() == Some(step);
         own.then_some(Plan { at: cube, ..self })

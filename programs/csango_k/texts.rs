@@ -1,4 +1,4 @@
-//! What the program of the cube says, in Hungarian and English.
+//! The texts of CSANGO_K in Hungarian and English.
 
 use crate::machine::Language;
 use crate::puzzle::cube::{Move, Rules};

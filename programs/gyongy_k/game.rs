@@ -1,4 +1,4 @@
-//! The game as a plain value: what undo takes back.
+//! The game as a plain value, which undo restores.
 
 use super::texts;
 use crate::file::Document;
@@ -6,7 +6,7 @@ use crate::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
 use crate::ui::Phrase;
 use serde::{Deserialize, Serialize};
 
-/// A problem that can be made again from its number.
+/// A problem that its number reproduces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Problem {
     pub(crate) difficulty: Difficulty,
@@ -57,7 +57,7 @@ impl Game {
         Wheel::try_from(wheel).map(Game::from).map_err(|error| Phrase::plain(&error))
     }
 
-    /// The whole game as text, also what a file does not hold.
+    /// The whole game as text, including what a file does not hold.
     ///
     /// # Errors
     /// What cannot be written.

@@ -21,7 +21,7 @@ const INNER: f64 = 27.0;
 /// Centre of the controls' wheel, and half the distance of its rings.
 const CONTROLS: (i32, i32) = (510, 360);
 const RIM: i32 = 13;
-/// Where a letter stands from the head of its drawer's arrow.
+/// The offset of a letter from the head of its drawer's arrow.
 const LETTERS: [(i32, i32); ARMS] = [(-15, -28), (-26, -20), (-23, 3), (-1, 8), (16, 0), (12, -23)];
 /// Where the texts beside the board begin, and their lines.
 const SIDE: i32 = 404;
@@ -29,7 +29,7 @@ const LINES: [i32; 5] = [76, 92, 108, 124, 140];
 
 /// What is to be seen.
 pub(crate) struct View<'a> {
-    /// Whether the buttons are there: not before the first question is answered.
+    /// Whether the buttons are shown, which is after the first question.
     pub(crate) buttons: bool,
     /// The board; none while it is asked for.
     pub(crate) board: Option<Board<'a>>,
@@ -124,7 +124,7 @@ fn draw_rings(screen: &mut Screen) {
     }
 }
 
-/// The pixel so far along an arm and so far to its right, seen from the centre.
+/// The pixel at a distance along an arm and to its right, seen from the centre.
 fn on_arm(arm: usize, along: f64, aside: f64) -> (i32, i32) {
     let (sin, cos) = (60.0 * arm as f64).to_radians().sin_cos();
     let place = |centre: i32, offset: f64| centre + offset.round() as i32;
@@ -210,7 +210,7 @@ fn handle(wheel: &Wheel, a_move: Move) -> (i32, i32) {
     (CONTROLS.0 + way, CONTROLS.1)
 }
 
-/// The move that a click at a pixel means: within 20 pixels of a drawer's handle or 12 of a ring's letter.
+/// The move of a click: within 20 pixels of a drawer's handle or 12 of a ring's letter.
 pub(crate) fn move_at(wheel: &Wheel, x: i32, y: i32) -> Option<Move> {
     let near = |a_move: &Move| {
         let (hx, hy) = handle(wheel, *a_move);

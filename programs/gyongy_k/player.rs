@@ -1,4 +1,4 @@
-//! What the player does: moves, questions, and what goes on by itself.
+//! The player's moves and questions, and what runs by itself.
 
 use super::game::{Game, Problem};
 use super::picture::{Board, GoingOn, View, move_at};
@@ -49,7 +49,7 @@ pub(super) const COMMANDS: Commands<Action> = Commands(&[
 /// The help page.
 pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
-/// The program's state: the game with its past is what undo restores, all else is view.
+/// The program's state. Undo restores the game only; all else is view.
 struct Player {
     games: History<Game>,
     /// Whether there is a game, not only questions.
@@ -57,7 +57,7 @@ struct Player {
     /// Whether the buttons have come up.
     buttons: bool,
     clock: Stopwatch,
-    /// Time on the clock when the picture is drawn.
+    /// The time of the picture.
     now: Duration,
     hint: Option<Move>,
     show: Show,
@@ -239,7 +239,7 @@ impl Player {
         }
     }
 
-    /// Ends what goes on by itself; a search leaves its tables for the next one.
+    /// Ends what runs by itself; a search leaves its tables for the next one.
     fn stop(&mut self) {
         self.hint = None;
         if let Show::Seeking(seeking) = std::mem::replace(&mut self.show, Show::Nothing) {
@@ -247,13 +247,13 @@ impl Player {
         }
     }
 
-    /// Does what an event or the time asks for; `Some` leads out of the game.
+    /// Handles an event or the passing of time; `Some` leaves the game.
     async fn react(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<Option<Next>> {
         let pressed = matches!(tick.event, Some(Event::Key(_) | Event::Press(_)));
         if pressed && !matches!(self.show, Show::Nothing) {
             let was_demonstration = matches!(self.show, Show::Demonstration(_));
             self.stop();
-            // Who takes a solution over makes a move at once; a demonstration only ends.
+            // A key that takes over from a solution also makes its move; a demonstration only ends.
             if was_demonstration || tick.pressed(Key::Esc) {
                 return Ok(None);
             }
@@ -330,14 +330,14 @@ impl Player {
         }
     }
 
-    /// Takes up another game that undo leads back from.
+    /// Commits another game, which undo can leave again.
     fn replace(&mut self, game: Game) {
         self.stop();
         self.games.change(game);
         self.clock = Stopwatch::default();
     }
 
-    /// Carries out a command; `Some` leads out of the game.
+    /// Carries out a command; `Some` leaves the game.
     async fn obey(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Option<Next>> {
         match action {
             Action::Quit => {
@@ -367,7 +367,7 @@ impl Player {
         }
     }
 
-    /// Asks for difficulty and number of a problem and takes it up.
+    /// Asks for difficulty and number of a problem, and starts it.
     async fn new_problem(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         self.stop();
         let difficulty = desk.choose(&*self, &difficulties()).await?;
@@ -379,7 +379,7 @@ impl Player {
         };
         let form = Form::new(vec![Caption::new((216, 12), texts::NUMBER)], [field]);
         let [number] = desk.numbers(&*self, &form).await?;
-        // The number is whole and between 0 and the largest one.
+        // The number is an integer between 0 and the largest one.
         self.replace(Game::new(Problem { difficulty, number: number as u64 }));
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! What goes on by itself: a search, a solution that is played, the demonstration.
+//! What runs by itself: a search, the playing of a solution, the demonstration.
 
 use crate::puzzle::wheel::{Difficulty, Move, Scramble, Search, Solver, Tables, Wheel};
 use std::time::Duration;
@@ -41,12 +41,12 @@ pub(crate) struct Seeking {
 }
 
 impl Seeking {
-    /// Begins a search with the tables that an earlier one has made.
+    /// Starts a search with the tables of an earlier one.
     pub(crate) fn new(aim: Aim, wheel: Wheel, tables: Tables, now: Duration) -> Seeking {
         Seeking { aim, solver: Box::new(Solver::with_tables(wheel, tables)), due: now + PIECE_TIME }
     }
 
-    /// Searches on if a piece is due; whether the search has come to its end.
+    /// Continues the search if a piece is due; returns whether the search has ended.
     pub(crate) fn advance(&mut self, now: Duration) -> bool {
         if now < self.due {
             return false;
@@ -94,7 +94,7 @@ impl Playing {
 /// The demonstration: a wheel of its own is disarranged by the book's rule and led back the same way.
 pub(crate) struct Demonstration {
     pub(crate) wheel: Wheel,
-    /// The moves that are to be taken back, the next one last.
+    /// The moves to undo, the next one last.
     made: Vec<Move>,
     pub(crate) due: Duration,
 }
@@ -106,7 +106,7 @@ impl Demonstration {
         Demonstration { wheel, made: moves, due: now + PAUSE }
     }
 
-    /// Makes the moves that are due; whether the demonstration is over.
+    /// Makes the moves that are due; returns whether the demonstration is over.
     pub(crate) fn advance(&mut self, now: Duration) -> bool {
         while self.due <= now {
             let Some(made) = self.made.pop() else { return true };

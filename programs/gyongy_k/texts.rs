@@ -1,4 +1,4 @@
-//! What the bead wheel says, in Hungarian and English.
+//! The texts of GYONGY_K in Hungarian and English.
 
 use super::game::Problem;
 use crate::machine::Language;

@@ -18,7 +18,7 @@ const LINES: [i32; 2] = [10, 8];
 /// Pictures beside each other, and the place of the first one.
 const ACROSS: i32 = 3;
 const FIRST: (i32, i32) = (204, TOP + 2);
-/// Between the upper left corners of neighbouring pictures.
+/// Offset between the upper left corners of neighbouring pictures.
 const PITCH: (i32, i32) = (SMALL.0 + 10, SMALL.1 + 26);
 
 /// A line of the list.
@@ -29,7 +29,7 @@ pub(super) enum Line {
     Program(usize),
 }
 
-/// The lines of the list and where they stand.
+/// The lines of the list with their places.
 pub(super) fn lines() -> impl Iterator<Item = (Area, Line)> {
     let all = GROUPS
         .into_iter()
@@ -56,7 +56,7 @@ pub(super) fn group(index: usize) -> Option<&'static Group> {
     ALL.get(index).map(|program| program.group)
 }
 
-/// Where the picture of a group's program stands, by its place in the group.
+/// The area of a program's picture, by its index in the group.
 pub(super) fn picture_area(at: usize) -> Area {
     let at = i32::try_from(at).unwrap_or(i32::MAX / (2 * PITCH.1));
     let (x, y) = (FIRST.0 + at % ACROSS * PITCH.0, FIRST.1 + at / ACROSS * PITCH.1);

@@ -7,7 +7,7 @@ use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use crate::ui::Program;
 use std::time::Duration;
 
-/// Pixels of the screen, along a side, that a pixel of the small picture stands for.
+/// The reduction: pixels of the screen per pixel of the small picture, along a side.
 const SCALE: i32 = 5;
 /// Size of a small picture in pixels.
 pub(super) const SMALL: (i32, i32) = (WIDTH / SCALE, HEIGHT / SCALE);

@@ -1,4 +1,4 @@
-//! The menu in the terminal: the programs by groups on a page of text, found by typing, started where it stands.
+//! The menu in the terminal: the programs by groups on a page of text, found by typing, started in the same terminal.
 
 use super::folded;
 use crate::file::Format;
@@ -104,7 +104,7 @@ impl TextMenu {
         Summary { title: program.manual.name.to_uppercase(), lines }
     }
 
-    /// Chooses the first program that what is typed finds: by the beginning of its name, else by its line.
+    /// Chooses the first program that matches the typed text: by the beginning of its name, else by its description.
     fn find(&self, typed: &str) -> Option<usize> {
         let typed = folded(typed);
         let programs = || {
@@ -123,7 +123,7 @@ impl TextMenu {
         by_name.or_else(by_line).map(|(index, _)| index)
     }
 
-    /// What is typed goes on only as long as it finds something.
+    /// The typed text grows only while something matches it.
     fn type_letter(&mut self, letter: char) {
         let typed: String = self.typed.chars().chain([letter]).collect();
         if let Some(index) = self.find(&typed) {

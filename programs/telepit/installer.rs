@@ -54,7 +54,7 @@ pub(crate) struct Installer {
 }
 
 impl Installer {
-    /// The installer in a language, with the folder that it offers, and the answer to all questions if there is one.
+    /// The installer in a language, with the proposed folder and an answer to all questions, if any.
     pub(crate) fn new(language: Language, folder: String, standing: Option<Answer>, find: Find) -> Installer {
         Installer {
             language,

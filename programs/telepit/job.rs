@@ -7,7 +7,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// An answer to whether a file is to be overwritten.
+/// An answer to the question whether to overwrite a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Answer {
     Yes,
@@ -21,9 +21,9 @@ pub(crate) enum Answer {
 /// What a step came to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
-    /// The file at this place is another one; the job goes on after [`Job::answer`].
+    /// There is a different file at this place; the job continues after [`Job::answer`].
     Asks(PathBuf),
-    /// The file at this place, from the folder of all, was dealt with.
+    /// The file at this path, relative to the target folder, has been handled.
     Did(PathBuf, Outcome),
     /// All is done.
     Finished(Report),
@@ -49,7 +49,7 @@ pub(crate) struct Report {
     pub(crate) left_over: Vec<String>,
 }
 
-/// A job that could not be done; the disk is as it was but for `left`.
+/// A job that failed; the disk is unchanged except for `left`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Failed {
     pub(crate) path: PathBuf,
@@ -78,7 +78,7 @@ enum Place {
     Folder,
 }
 
-/// A plan being carried out; given up when it is dropped before it has finished.
+/// A plan being carried out. Dropping it before it has finished undoes it.
 #[derive(Debug)]
 pub(crate) struct Job {
     root: PathBuf,
@@ -94,7 +94,7 @@ pub(crate) struct Job {
 }
 
 impl Job {
-    /// The job of installing into a folder, which need not be there; with an answer to all questions, or none.
+    /// The job of installing into a folder, which need not exist, with an answer to all questions, if any.
     pub(crate) fn new(root: PathBuf, plan: Plan, standing: Option<Answer>) -> Job {
         Job {
             root,
@@ -113,7 +113,7 @@ impl Job {
         &self.root
     }
 
-    /// How many files have been dealt with, and how many there are.
+    /// The number of handled files, and of all files.
     pub(crate) fn progress(&self) -> (usize, usize) {
         (self.next, self.plan.entries.len())
     }
@@ -131,7 +131,7 @@ impl Job {
         }
     }
 
-    /// Gives the job up: undoes what was done, and tells what could not be undone.
+    /// Aborts the job: undoes what was done, and returns what could not be undone.
     pub(crate) fn give_up(&mut self) -> Vec<String> {
         self.journal.undo()
     }
@@ -163,7 +163,7 @@ impl Job {
         }
     }
 
-    /// Installs a file; `None` when it has to be asked first.
+    /// Installs a file; `None` if the user must be asked first.
     fn install(&mut self, entry: &Entry, path: &Path) -> io::Result<Option<Outcome>> {
         self.journal.folder(path.parent().unwrap_or(&self.root))?;
         match self.place(entry, path)? {
@@ -232,7 +232,7 @@ mod tests {
         Plan::new(&GROUPS, &find, System::HERE).unwrap()
     }
 
-    /// Steps to the end with one answer to every question.
+    /// Runs to the end with one answer to every question.
     fn run(job: &mut Job, answer: Answer) -> Result<(Report, usize), Failed> {
         let mut asked = 0;
         loop {

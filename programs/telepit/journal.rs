@@ -1,4 +1,4 @@
-//! What has been done to the disk, so that it can be undone: files and folders that were made, and files that were
+//! A journal of changes to the disk, which can undo them: files and folders that were made, and files that were
 //! set aside for others.
 
 use std::fs::{self, File};
@@ -16,21 +16,21 @@ enum Deed {
     SetAside { from: PathBuf, to: PathBuf },
 }
 
-/// Everything that was done; undone when it is dropped before [`Journal::keep`].
+/// All changes. They are undone if it is dropped before [`Journal::keep`].
 #[derive(Debug, Default)]
 pub(crate) struct Journal {
     deeds: Vec<Deed>,
 }
 
 impl Journal {
-    /// Makes a folder with all above it that are missing.
+    /// Creates a folder and its missing parents.
     pub(crate) fn folder(&mut self, path: &Path) -> io::Result<()> {
         let missing: Vec<&Path> = path
             .ancestors()
             .take_while(|folder| !folder.as_os_str().is_empty() && fs::metadata(folder).is_err())
             .collect();
         for folder in missing.into_iter().rev() {
-            // Of "a/../b" the part "a/.." is there as soon as "a" is.
+            // In "a/../b", the part "a/.." exists as soon as "a" does.
             if fs::metadata(folder).is_ok() {
                 continue;
             }
@@ -43,7 +43,7 @@ impl Journal {
         }
     }
 
-    /// Writes a new file, which must not be there, and makes it executable if it is to be.
+    /// Writes a new file, which must not exist, and makes it executable if asked to.
     pub(crate) fn write(&mut self, path: &Path, content: &[u8], executable: Executable) -> io::Result<()> {
         let mut file = File::create_new(path)?;
         self.deeds.push(Deed::Made(path.to_path_buf()));
@@ -52,14 +52,14 @@ impl Journal {
         file.sync_all()
     }
 
-    /// Makes a symbolic link where there is nothing.
+    /// Makes a symbolic link at a path where nothing exists.
     pub(crate) fn link(&mut self, path: &Path, target: &Path) -> io::Result<()> {
         symbolic_link(target, path)?;
         self.deeds.push(Deed::Made(path.to_path_buf()));
         Ok(())
     }
 
-    /// Sets a file aside under a name in the same folder that nobody uses.
+    /// Sets a file aside under an unused name in the same folder.
     pub(crate) fn set_aside(&mut self, path: &Path) -> io::Result<()> {
         let to = free_name(path)?;
         fs::rename(path, &to)?;
@@ -67,12 +67,12 @@ impl Journal {
         Ok(())
     }
 
-    /// Undoes everything, the last first, and tells what could not be undone.
+    /// Undoes everything in reverse order, and returns what could not be undone.
     pub(crate) fn undo(&mut self) -> Vec<String> {
         let mut problems = Vec::new();
         while let Some(deed) = self.deeds.pop() {
             let (path, result) = match &deed {
-                // Only if nobody has put anything into it meanwhile.
+                // Only if it is still empty.
                 Deed::Folder(path) => (path, fs::remove_dir(path)),
                 Deed::Made(path) => (path, fs::remove_file(path)),
                 Deed::SetAside { from, to } => (from, fs::rename(to, from)),
@@ -84,7 +84,7 @@ impl Journal {
         problems
     }
 
-    /// Keeps everything: what was set aside is removed. Tells what is left over.
+    /// Keeps everything and removes what was set aside. Returns what could not be removed.
     pub(crate) fn keep(&mut self) -> Vec<String> {
         let deeds = std::mem::take(&mut self.deeds);
         let aside = deeds.into_iter().filter_map(|deed| match deed {
@@ -116,7 +116,7 @@ impl Executable {
     fn apply(self, file: &File) -> io::Result<()> {
         use std::os::unix::fs::PermissionsExt;
         match self {
-            // As far as the user's mask lets others read, they may start it.
+            // Whoever may read it, by the umask, may also run it.
             Executable::Yes => {
                 let mode = file.metadata()?.permissions().mode();
                 file.set_permissions(fs::Permissions::from_mode(mode | (mode & 0o444) >> 2))

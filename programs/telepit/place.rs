@@ -1,10 +1,10 @@
-//! Where executables are found, and which folder is offered.
+//! Finds executables, and proposes a folder.
 
 use std::path::{Path, PathBuf};
 
-/// The executable of a name beside this one, if it is there.
+/// The executable of a name beside this one, if it exists.
 pub(crate) fn executable(name: &str) -> Option<PathBuf> {
-    // Of a link, where it leads: beside it are the others.
+    // Links are resolved: the other executables lie beside the target.
     let here = std::env::current_exe().ok()?;
     let here = std::fs::canonicalize(&here).unwrap_or(here);
     let beside = here.parent()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
@@ -16,12 +16,12 @@ fn home() -> Option<PathBuf> {
     named("HOME").or_else(|| named("USERPROFILE")).map(PathBuf::from)
 }
 
-/// The folder that is offered: `grafika` at home, as the original offered `c:\grafika`.
+/// The proposed folder: `grafika` in the home folder, as the original proposed `c:\grafika`.
 pub(crate) fn offered() -> PathBuf {
     home().unwrap_or_default().join("grafika")
 }
 
-/// The folder of a text that was typed, with `~` for home.
+/// The folder of a typed text, with `~` for the home folder.
 pub(crate) fn of_text(text: &str) -> PathBuf {
     expanded(text, home().as_deref())
 }

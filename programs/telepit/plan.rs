@@ -1,4 +1,4 @@
-//! What goes where: the files of chosen groups with their content. No file is touched here.
+//! The plan of an installation: the files of the chosen groups with their content. No file is touched here.
 
 use crate::ui::Group;
 use std::fmt;
@@ -18,7 +18,7 @@ impl System {
     pub(crate) const HERE: System = if cfg!(windows) { System::Windows } else { System::Unix };
 }
 
-/// What starts a program: its own executable, or that of `grafika` with the program's name.
+/// What starts a program: its own executable, or `grafika` with the program's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Starter {
     pub(crate) executable: PathBuf,
@@ -35,7 +35,7 @@ pub(crate) enum What {
 /// A file to be installed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Entry {
-    /// The folder of its group; empty for the folder of all.
+    /// The folder of its group; empty for the target folder itself.
     pub(crate) folder: &'static str,
     pub(crate) name: String,
     pub(crate) what: What,
@@ -47,7 +47,7 @@ pub(crate) struct Plan {
     pub(crate) entries: Vec<Entry>,
 }
 
-/// A program without anything that could start it.
+/// A program that nothing can start.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct NoExecutable(pub(crate) &'static str);
 
@@ -98,7 +98,7 @@ impl Plan {
 }
 
 impl Entry {
-    /// Where the file comes to lie, from the folder of all.
+    /// The path of the file, relative to the target folder.
     pub(crate) fn path(&self) -> PathBuf {
         Path::new(self.folder).join(&self.name)
     }

@@ -27,7 +27,7 @@ pub(crate) const AS_BEFORE: Words =
     Words("Minden úgy van, ahogy előtte volt.", "Everything is as it was before.");
 pub(crate) const GO_ON: Words = Words("tovább", "continue");
 
-/// The keys of the list: what each does, and how the last line calls it.
+/// The keys of the list: their meanings, and their words on the last line.
 pub(crate) const KEYS: [(Key, Words, Words); 5] = [
     (Key::Char(' '), Words("Szóköz", "Space"), Words("jelöl", "select")),
     (Key::Char('*'), Words("*", "*"), Words("mind", "all")),
@@ -72,7 +72,7 @@ pub(crate) fn answers(language: Language) -> Vec<(String, String)> {
     offered.collect()
 }
 
-/// What is in a group: chapter, programs, samples, number of files and bytes.
+/// The contents of a group: chapter, programs, samples, number of files and bytes.
 pub(crate) fn summary(group: &Group, language: Language) -> Vec<String> {
     let samples: Vec<(&str, &[u8])> = group.samples().collect();
     let names: Vec<&str> = samples.iter().map(|(name, _)| *name).collect();

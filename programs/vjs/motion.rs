@@ -1,4 +1,4 @@
-//! The point of VJS and its motion: equations (1.1) in fixed steps, between walls that throw it back.
+//! The motion of the point of VJS: equations (1.1) in fixed steps, with reflection at the walls.
 //!
 //! Between walls the equations are exact for an acceleration that does not change, so the length of the
 //! step is no matter of accuracy. At a wall the moment of contact is computed, and the rest of the step
@@ -7,13 +7,13 @@
 
 use serde::Serialize;
 
-/// How far the point gets from the middle of its track, in pixels.
+/// Largest distance of the point from the middle of its track, in pixels.
 pub(crate) const REACH: f64 = 200.0;
 /// Steps in a second.
 pub(crate) const STEPS_PER_SECOND: u32 = 1000;
-/// The numbers on the screen are made anew so many times a second.
+/// Updates of the numbers on the screen per second.
 const READINGS_PER_SECOND: u64 = 6;
-/// Bounces within one step after which the point stays at the wall; it takes a million pixels a second.
+/// After this many bounces within a step the point stays at the wall; that takes a million pixels a second.
 const MOST_BOUNCES: u32 = 16;
 
 /// One direction of the motion: place in pixels from the middle, velocity in pixels a second.
@@ -24,7 +24,7 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// Where equations (1.1) take the point in a time without walls.
+    /// The motion by equations (1.1) after a time in seconds, without walls.
     fn free(self, acceleration: f64, time: f64) -> Axis {
         let velocity = self.velocity + acceleration * time;
         Axis { place: self.place + (self.velocity + velocity) * time / 2.0, velocity }
@@ -39,7 +39,7 @@ impl Axis {
             }
             let side = free.place.signum();
             let distance = side * REACH - self.place;
-            // v² - v0² = 2 a (x - x0); rounding must not make it negative.
+            // v² - v0² = 2 a (x - x0), which rounding must not make negative.
             let square = self.velocity * self.velocity + 2.0 * acceleration * distance;
             let speed = square.max(0.0).sqrt();
             let contact = if distance == 0.0 { 0.0 } else { 2.0 * distance / (self.velocity + side * speed) };
@@ -86,7 +86,7 @@ pub(crate) struct Model {
 }
 
 impl Motion {
-    /// Makes as many steps as are missing to a number of them since the start.
+    /// Advances to a number of steps since the start.
     pub(crate) fn run_to(&mut self, steps: u64) {
         while self.steps < steps {
             self.step();

@@ -28,7 +28,7 @@ const ROWS: [(i32, Words, &str, Words); 3] = [
     (225, Words("Gyorsulás:", "Acceleration:"), "a        a", Words("pixel / s²", "pixel / s²")),
 ];
 
-/// The picture: what never changes, drawn once in each language, and what moves over it.
+/// The picture: a fixed background, drawn once for each language, and the moving parts.
 pub(crate) struct Panel {
     grounds: [(Language, Screen); 2],
     point: [f64; 2],
@@ -43,7 +43,7 @@ impl Panel {
         Panel { grounds, point: [0.0; 2], handle: (0, 0), readings: Readings::default() }
     }
 
-    /// What is to be shown: the point's place, the handle's offset, the numbers.
+    /// Sets what is shown: the point's place, the handle's offset and the numbers.
     pub(crate) fn show(&mut self, point: [f64; 2], handle: (i32, i32), readings: Readings) {
         (self.point, self.handle, self.readings) = (point, handle, readings);
     }
@@ -103,7 +103,7 @@ fn grid(screen: &mut Screen, area: Area, (x, y): (i32, i32), distance: i32) {
     screen.line(x + distance, area.y1, x + distance, area.y2, gray);
 }
 
-/// Ticks and labels of all axes, `k` lines from the middle. The upright ones count upwards.
+/// Ticks and labels of all axes, `k` lines from the middle. Vertical axes count upwards.
 fn axes(screen: &mut Screen, k: i32) {
     let black = Stroke::thin(Color::Black);
     let (x, y) = (STICK.0 + 10 * k, STICK.1 - 10 * k);

@@ -1,9 +1,9 @@
-//! Where control points may lie, and the named edits that change a list of them.
+//! The allowed range of control points, and the named edits of a list of them.
 
 use crate::file::{FIELD, MAX_POINTS};
 use crate::geometry::{COORDINATE_LIMIT, Point};
 
-/// A kind of control point, with the places where it may lie.
+/// A kind of control point, with its allowed range.
 pub trait Place: Copy + PartialEq {
     /// Whether it may lie where it is.
     fn fits(self) -> bool;
@@ -38,13 +38,13 @@ impl Place for Point<3> {
 /// A named change of the control points. Indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edit<P> {
-    /// A new point before the one of an index; behind the last one if there is none.
+    /// A new point before the one at an index; after the last one if there is none.
     Insert(usize, P),
     /// A point moves.
     Move(usize, P),
     /// A point goes; the later ones shift down.
     Delete(usize),
-    /// A point gets another index; those between shift by one.
+    /// Moves a point to another index; those between shift by one.
     Renumber(usize, usize),
 }
 
@@ -54,8 +54,8 @@ pub(super) fn full<P>(points: &[P]) -> bool {
 }
 
 impl<P: Place> Edit<P> {
-    /// Carries the edit out. If there is no such point, or no room, nothing changes. New places are moved to the nearest
-    /// one that fits.
+    /// Carries the edit out. If there is no such point, or no room, nothing changes. New places are moved to the
+    /// nearest one that fits.
     pub(super) fn carry_out(self, points: &mut Vec<P>) {
         match self {
             Edit::Insert(index, point) if !full(points) => {

@@ -1,10 +1,10 @@
-//! Why a document describes no curve or surface.
+//! Reasons why a document describes no curve or surface.
 
 use crate::file::{Format, MAX_POINTS, Method};
 use crate::geometry::GeometryError;
 use std::fmt;
 
-/// Why a document describes no curve or surface, or none that an editor can work with.
+/// Why a document describes no curve or surface, or none that an editor can edit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DesignError {
     /// It holds neither a curve nor a surface.

@@ -118,7 +118,7 @@ impl Quantity {
         }
     }
 
-    /// A value as its window shows it: with fewer decimals, a power of ten or stars if it does not fit.
+    /// A value as shown in its window; if it does not fit, with fewer decimals, in scientific notation, or as stars.
     pub fn shown(self, value: f64) -> String {
         let width = self.width();
         let plain = (0..=self.decimals()).rev().map(|decimals| fixed(value, decimals));
@@ -175,7 +175,7 @@ impl Coefficient {
     pub fn stepped(self, fourier: &Fourier, steps: i32) -> Fourier {
         let quantity = self.column.quantity();
         let old = self.of(fourier);
-        // Removes rounding errors of adding hundredths.
+        // Removes rounding errors from adding hundredths.
         let clean = |value: f64| (value * 1e10).round() / 1e10;
         let new = old + quantity.step() * f64::from(steps);
         let new = match quantity {
@@ -216,8 +216,8 @@ pub fn curve(fourier: &Fourier) -> Result<geometry::Fourier<2>, GeometryError> {
     geometry::Fourier::new([fourier.a[0], fourier.b[0]], &rows.collect::<Vec<_>>())
 }
 
-/// The coefficients of a curve, without harmonics that no file can hold. Amplitudes that are only rounding errors become
-/// 0, with phase 0.
+/// The coefficients of a curve, without harmonics that no file can hold. Amplitudes that are only rounding errors
+/// become 0, with phase 0.
 #[must_use]
 pub fn coefficients(curve: &geometry::Fourier<2>) -> Fourier {
     /// Pixels.

@@ -4,7 +4,7 @@ use super::DesignError;
 use crate::file::{Method, Net, NetKind, NetSettings};
 use crate::geometry::{Border, Method as Formula, ParamSurface, Point, Scheme, Surface, Topology};
 
-/// What part of a Hermite matrix a change is about.
+/// The part of a Hermite matrix that a change concerns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// A control point; for the Hermite patch a corner.
@@ -95,10 +95,10 @@ impl NetDesign {
         design
     }
 
-    /// The methods along u and v with topology and border; `None` for the Hermite patch, which has none.
+    /// Methods along u and v, topology and border; `None` for the Hermite patch.
     ///
     /// # Errors
-    /// [`DesignError`] if the net does not have what the method needs.
+    /// [`DesignError`] if the net lacks what the method needs.
     pub fn scheme(&self) -> Result<Option<Scheme>, DesignError> {
         let method = self.method();
         match (method, self.net.kind) {
@@ -180,7 +180,7 @@ impl NetDesign {
         self.net.points.get(k + down)?.get(l + right).copied()
     }
 
-    /// The design with another value for a part of a control point. A pole is one point in all rows.
+    /// The design with a new value for a part of a control point. A pole is one point in all rows.
     #[must_use]
     pub fn with_part(&self, [k, l]: Index, part: Part, value: Point<3>) -> NetDesign {
         let mut design = self.clone();
@@ -196,7 +196,7 @@ impl NetDesign {
         design
     }
 
-    /// The design with a control point moved; where only heights change, only that.
+    /// The design with a control point moved; for height fields only its height changes.
     #[must_use]
     pub fn moved(&self, index: Index, to: Point<3>) -> NetDesign {
         let Some([x, y, _]) = self.point(index) else { return self.clone() };

@@ -22,7 +22,7 @@ pub struct Sketch<const D: usize> {
 }
 
 impl<const D: usize> Sketch<D> {
-    /// The tangent at a point; none where there are no tangents.
+    /// The tangent at a point; `None` without tangents.
     pub fn tangent(&self, index: usize) -> Option<Point<D>> {
         self.tangents.as_ref()?.get(index).copied()
     }
@@ -64,8 +64,8 @@ impl<const D: usize> Sketch<D> {
     /// The curve through or near the control points.
     ///
     /// # Errors
-    /// [`DesignError::NoMethod`] if none is named or implied, [`DesignError::Needs`] if the points do not have what the
-    /// method needs, and those of the geometry.
+    /// [`DesignError::NoMethod`] if none is named or implied, [`DesignError::Needs`] if the points do not have what
+    /// the method needs, and those of the geometry.
     pub fn curve(&self) -> Result<Box<dyn ParamCurve<D>>, DesignError> {
         let (closure, points) = (self.closure(), self.points.as_slice());
         let method = self.method().ok_or(DesignError::NoMethod)?;
@@ -90,7 +90,7 @@ impl<const D: usize> Sketch<D> {
         sketch
     }
 
-    /// The tip of the tangent at a point: half the vector away from it, to whole numbers.
+    /// The tip of the tangent at a point: the point plus half the vector, rounded to integers.
     pub fn tip(&self, index: usize) -> Option<Point<D>> {
         let (point, tangent) = (self.points.get(index)?, self.tangent(index)?);
         Some(std::array::from_fn(|d| point[d] + (tangent[d] / 2.0).round_ties_even()))
@@ -105,7 +105,7 @@ impl<const D: usize> Sketch<D> {
         }
     }
 
-    /// The sketch with automatic tangents for an open or closed row, in whole numbers as the files hold them.
+    /// The sketch with automatic tangents for an open or closed curve, rounded to integers as the files hold them.
     ///
     /// # Errors
     /// Too few points, or a coefficient that is not finite.
@@ -135,7 +135,7 @@ impl<const D: usize> Sketch<D> {
         Sketch { joints: Some(joints), ..self.clone() }
     }
 
-    /// The sketch with another bias or tension of all its joints.
+    /// The sketch with a new bias or tension of all joints.
     #[must_use]
     pub fn with_shape(&self, change: impl Fn(&mut Shape)) -> Sketch<D> {
         let (mut sketch, mut shape) = (self.clone(), self.shape());
@@ -311,7 +311,7 @@ mod tests {
         fn what_belongs_to_a_point_goes_with_it(
             edits in prop::collection::vec((0u8..4, 0usize..12, 0usize..12), 0..60),
         ) {
-            // Every point carries its mark as place, tangent and joint.
+            // Every point carries the same mark in place, tangent and joint.
             let mut sketch = Sketch::<2> { tangents: Some(Vec::new()), joints: Some(Vec::new()), ..Sketch::default() };
             let mut mark = 0.0;
             for (kind, index, other) in edits {

@@ -141,7 +141,7 @@ pub(super) struct Journal {
     letters: BTreeMap<(i32, i32), (char, Color)>,
 }
 
-/// A journal longer than this is rid of the letters that are gone. More than any screen holds:
+/// A journal longer than this is pruned of overwritten letters. More than any screen holds:
 /// 80x60 letters stand side by side.
 const JOURNAL_LIMIT: usize = 10_000;
 

@@ -2,8 +2,8 @@
 //!
 //! A line is stepped along its longer direction from its first end, and the other coordinate is
 //! rounded to the nearest pixel, halves away from the first end. The step at which the line enters
-//! the screen is computed, so that a clipped line has the very pixels of the whole one, and a line
-//! from one end of the integers to the other costs no more than one across the screen.
+//! the screen is computed, so that a clipped line has exactly the pixels of the whole one, and a line
+//! across the whole range of integers costs no more than one across the screen.
 
 use super::{Color, HEIGHT, Screen, WIDTH};
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 //! pointer masks that Borland's graphics library drew in the mode VGAHi.
 //!
 //! A [`Screen`] is a plain value. Drawing takes coordinates of any size: what lies outside of the
-//! picture is clipped, and what lies inside has the very pixels of the unclipped shape. Nothing here
+//! picture is clipped, and what lies inside has exactly the pixels of the unclipped shape. Nothing here
 //! knows of windows, files, mice or time, and nothing keeps a current colour or line style: every
 //! call says what it draws with.
 //!
@@ -146,7 +146,7 @@ impl PartialEq for Screen {
 impl Eq for Screen {}
 
 impl fmt::Debug for Screen {
-    /// A screen of 307200 numbers helps nobody: prints the size and how many pixels each colour has.
+    /// Prints the size and the number of pixels of each colour, rather than 307200 numbers.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut counts = [0u32; 16];
         for &pixel in &self.pixels {

@@ -74,7 +74,7 @@ impl Table {
         let damping = self.cloth.damping;
         let lost = 1.0 - self.cloth.stop / ball.pace();
         let reach = STEP * damping * lost / (1.0 - damping);
-        // A ball that never slows down rolls for ever; one that does not roll has no pace.
+        // A ball that never slows down rolls forever; one that does not roll has no pace.
         if reach > 0.0 { reach.min(f64::MAX) } else { 0.0 }
     }
 

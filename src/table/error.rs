@@ -1,4 +1,4 @@
-//! What cannot be a table, and the checks that find it.
+//! Invalid tables, and the checks that find them.
 
 use super::{Ball, Cloth, FASTEST, Field, OVERLAP, RADIUS};
 use std::fmt;

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 /// How many points win.
 pub const GOAL: u32 = 30;
 
-/// One shot, whole: it gives the same motion every time.
+/// A complete shot; it always gives the same motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Shot {
