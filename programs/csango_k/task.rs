@@ -1,4 +1,4 @@
-//! What the program does by itself: searching for a packing and for the moves that build it, and playing them.
+//! What the program does by itself: searching for a filling and for the moves that build it, and playing them.
 
 use crate::puzzle::cube::{CsangoCube, Move, Progress, Rules, Search, Way, WayError};
 use std::collections::VecDeque;
