@@ -1,7 +1,7 @@
 //! What a command reads and writes: files by name, or standard input and output with a format that is said.
 
 use clap::Args;
-use grafika::file::FileKind;
+use grafika::file::{FileKind, Format};
 use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as};
 use std::path::{Path, PathBuf};
 
@@ -58,14 +58,16 @@ fn input_kind_by_extension(text: &str) -> Result<FileKind, String> {
 
 /// A kind of file that is written by its extension, with or without a dot.
 pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
-    FileKind::from_extension(text.trim_start_matches('.'))
-        .ok_or_else(|| "no data file has this extension; there are ip2 ic2 ec2 gbp ip3 fhc fps fem fpb fbs zms zmb zys zyb zyp gyk csk json csv".into())
+    FileKind::from_extension(text.trim_start_matches('.')).ok_or_else(|| {
+        let known = Format::ALL.iter().map(|format| format.extension().to_lowercase());
+        let known: Vec<String> = known.collect();
+        format!("no data file has this extension; there are {} json csv", known.join(" "))
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grafika::file::Format;
 
     #[test]
     fn extensions_with_and_without_a_dot() {
