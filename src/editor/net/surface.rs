@@ -3,7 +3,7 @@
 use super::Nets;
 use super::plan::Family;
 use crate::design::{DesignError, NetDesign};
-use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex, dot};
+use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
@@ -36,25 +36,6 @@ pub(super) struct Drawn {
     pub(super) grid: Grid,
     /// Steps that a cell of the net has in the grid.
     pub(super) steps: usize,
-}
-
-/// Points nearer to a line than this part of its length are on it.
-const ON_LINE: f64 = 1e-9;
-
-impl Drawn {
-    /// Whether all of the surface lies on one line or in one point.
-    pub(super) fn collapsed(&self) -> bool {
-        let points = self.grid.points();
-        let Some(&origin) = points.first() else { return true };
-        let offset = |point: &Point<3>| -> Point<3> { std::array::from_fn(|d| point[d] - origin[d]) };
-        let farthest = points.iter().map(offset).max_by(|a, b| dot(*a, *a).total_cmp(&dot(*b, *b)));
-        let Some(line) = farthest else { return true };
-        let length = dot(line, line);
-        points.iter().map(offset).all(|point| {
-            // The square of the area between the point and the line.
-            dot(point, point) * length - dot(point, line).powi(2) <= (ON_LINE * length).powi(2)
-        })
-    }
 }
 
 /// What the cells are filled with.
