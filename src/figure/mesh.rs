@@ -323,7 +323,7 @@ mod tests {
     fn files_have_the_sizes_that_they_announce() {
         let mesh = Mesh::from_grid(&ball([9, 5], 1.0)).unwrap();
         let (vertices, triangles) = (mesh.vertices().len(), mesh.triangles().len());
-        assert_eq!(mesh.to_stl().unwrap().len(), 84 + 50 * triangles);
+        assert_eq!(mesh.to_stl().unwrap().bytes.len(), 84 + 50 * triangles);
         let ply = mesh.to_ply().unwrap();
         let end = ply.windows(11).position(|text| text == b"end_header\n").unwrap() + 11;
         assert_eq!(ply.len() - end, 24 * vertices + 13 * triangles);
