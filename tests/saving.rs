@@ -248,3 +248,17 @@ fn the_same_keys_give_the_same_bytes() {
     let files = || disk_after(PLANE, &script).file("gb_2d_ip-1.pdf");
     assert!(files().starts_with(b"%PDF-") && files() == files());
 }
+
+#[test]
+fn a_surface_without_area_is_no_figure() {
+    use grafika::file::{Document, Format, Net, NetKind};
+    let mut disk = SharedDisk::default();
+    let line = (0..5).map(|k| vec![[80.0 * f64::from(k), 0.0, 0.0]; 5]).collect();
+    let net = Document::Net(Net::new(NetKind::Fps, line)).write(Format::Fps).unwrap();
+    disk.write("LINE.FPS", &net).unwrap();
+    let script = "type tline\nkey Enter\ntype f\nshot before.png\nkey F10\nshot told.png\nkey Enter\nkey Enter\nkey Enter\n\
+                  key Enter\nkey Enter\n";
+    let kept = play_on(f_p_spln::PROGRAM, disk.clone(), script);
+    assert_eq!(disk.names(), ["LINE.FPS"]);
+    assert!(kept.pictures["told.png"] != kept.pictures["before.png"]);
+}

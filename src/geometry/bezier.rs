@@ -325,7 +325,7 @@ mod tests {
             assert!(matches!(error, Err(GeometryError::Parameter { name: "tolerance", .. })));
         }
         assert!(matches!(wave(9).to_cubics(1e-15), Err(GeometryError::ToleranceTooSmall { .. })));
-        assert!(wave(9).to_cubics(1e-11).is_ok());
+        assert!(wave(9).to_cubics(1e-10).is_ok());
     }
 
     #[test]
