@@ -233,7 +233,6 @@ fn the_command_line_counts_the_same_on_any_number_of_threads() {
     for threads in ["1", "2", "3"] {
         assert_eq!(grafika(&["solve", &cube.to_string(), "--count", "--threads", threads]), expected);
     }
-    let full = filling.position([3, 2, 0]).unwrap().to_string();
     // A finished cube is one filling wherever it stands.
     for corner in [[3, 2, 0], [4, 2, 0], [0, 0, 0], [6, 6, 3]] {
         let full = filling.position(corner).unwrap().to_string();
@@ -260,7 +259,7 @@ fn the_command_line_solves_with_rigid_turns_and_counts_from_nothing() {
     let start = CsangoCube::start();
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_grafika"));
     let output = command.args(["solve", &start.to_string(), "--rigid"]).output().unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
     let (number, list) = text.split_once(" moves\n").unwrap_or_else(|| panic!("{output:?}"));
     let step = |word: &str| {
         let (piece, letter) = word.split_at(word.len() - 1);

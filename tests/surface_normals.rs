@@ -277,11 +277,10 @@ fn tangents_in_the_pole(surface: &Surface) -> Vec<Point<3>> {
     (0..rows).map(tangent).collect()
 }
 
-/// The largest angle between two of the planes that neighbouring tangents span.
+/// The largest angle, in degrees, by which a meridian leaves the direction of the opposite one.
 fn kink(tangents: &[Point<3>]) -> f64 {
-    let pairs = tangents.iter().zip(tangents.iter().cycle().skip(1));
-    let normals: Vec<Point<3>> = pairs.map(|(&a, &b)| unit(cross(a, b))).collect();
-    let angles = normals.iter().flat_map(|&a| normals.iter().map(move |&b| angle(a, b)));
+    let (front, back) = tangents.split_at(tangents.len() / 2);
+    let angles = front.iter().zip(back).map(|(&there, &opposite)| angle(there, opposite.map(|x| -x)));
     angles.fold(0.0, f64::max).to_degrees()
 }
 
@@ -293,10 +292,11 @@ fn a_pole_of_beta_splines_has_a_tangent_plane_only_where_its_neighbours_lie_in_o
         let method = Method::Beta { bias: 1.0, tension: 0.0 };
         surface(method, Topology::Sphere, &net.points)
     };
-    for name in ["A.ZMB", "B.ZMB", "K1.ZMB", "K2.ZMB", "K3.ZMB"] {
-        let tangents = tangents_in_the_pole(&surface(name));
-        println!("{name} {} {tangents:?}", kink(&tangents));
+    // Opposite neighbours of the pole lie symmetrically in all of them, but only in a plane in these.
+    for name in ["A.ZMB", "B.ZMB", "K2.ZMB", "K3.ZMB"] {
+        let kink = kink(&tangents_in_the_pole(&surface(name)));
+        assert!(kink < 1e-3, "{name}: {kink}");
     }
-    assert!((kink(&tangents_in_the_pole(&surface("K1.ZMB"))) - 32.8).abs() < 0.05);
-    assert!(kink(&tangents_in_the_pole(&surface("A.ZMB"))) < 1e-3);
+    let kink = kink(&tangents_in_the_pole(&surface("K1.ZMB")));
+    assert!((kink - 32.8).abs() < 0.05, "{kink}");
 }
