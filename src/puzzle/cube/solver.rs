@@ -149,7 +149,7 @@ mod tests {
         let positions = near_the_start();
         assert_eq!(positions.len(), 28);
         // The first filling of these seeds lets nothing get on with rigid turns.
-        for (cube, seed) in [(&positions[0], 0), (&positions[0], 4), (&positions[0], 16), (&positions[13], 0)]
+        for (cube, seed) in [(&positions[0], 0), (&positions[0], 4), (&positions[0], 16), (&positions[1], 0)]
         {
             assert_eq!(solve(cube, seed), 2);
         }
