@@ -241,9 +241,8 @@ fn the_command_line_counts_the_same_on_any_number_of_threads() {
     // A piece that goes a cell out of the finished cube sticks out of it.
     let full = filling.position([3, 2, 0]).unwrap();
     let steps = (0..14).flat_map(|piece| Action::ALL.map(|action| Move { piece, action }));
-    let out = steps.filter(|step| step.action.step().is_some());
-    let (piece, cube) =
-        out.filter_map(|step| Some((step.piece, full.after(step, Rules::Book).ok()?))).next().unwrap();
+    let mut out = steps.filter(|step| step.action.step().is_some());
+    let (piece, cube) = out.find_map(|step| Some((step.piece, full.after(step, Rules::Book).ok()?))).unwrap();
     assert_eq!(cube.sticking_out(), [piece]);
     let text = grafika(&["solve", &cube.to_string(), "--count"]);
     let told = format!(
