@@ -7,7 +7,7 @@ use common::{Kept, pictures, play_script, random};
 use grafika::file::{Document, Format};
 use grafika::machine::{Memory, Script, Storage, play};
 use grafika::programs::csango_k::PROGRAM;
-use grafika::puzzle::cube::{CsangoCube, Move, Rules, Way};
+use grafika::puzzle::cube::{Action, CsangoCube, Move, Rules, Way};
 use serde_json::Value;
 
 #[test]
@@ -233,8 +233,51 @@ fn the_command_line_counts_the_same_on_any_number_of_threads() {
     for threads in ["1", "2", "3"] {
         assert_eq!(grafika(&["solve", &cube.to_string(), "--count", "--threads", threads]), expected);
     }
-    let full = filling.position([3, 2, 0]).unwrap().to_string();
-    assert_eq!(grafika(&["solve", &full, "--count"]), "1 fillings, 14 of the pieces in their places\n");
+    // A finished cube is one filling wherever it stands.
+    for corner in [[3, 2, 0], [4, 2, 0], [0, 0, 0], [6, 6, 3]] {
+        let full = filling.position(corner).unwrap().to_string();
+        assert_eq!(grafika(&["solve", &full, "--count"]), "1 filling, 14 of the pieces in their places\n");
+    }
+    // A piece that goes a cell out of the finished cube sticks out of it.
+    let full = filling.position([3, 2, 0]).unwrap();
+    let steps = (0..14).flat_map(|piece| Action::ALL.map(|action| Move { piece, action }));
+    let mut out = steps.filter(|step| step.action.step().is_some());
+    let (piece, cube) = out.find_map(|step| Some((step.piece, full.after(step, Rules::Book).ok()?))).unwrap();
+    assert_eq!(cube.sticking_out(), [piece]);
+    let text = grafika(&["solve", &cube.to_string(), "--count"]);
+    let told = format!(
+        "1 filling, 13 of the pieces in their places\npiece {} lies partly in the cube's place and was not counted\n",
+        piece + 1
+    );
+    assert_eq!(text, told);
+}
+
+#[cfg(feature = "native")]
+#[test]
+fn the_command_line_solves_with_rigid_turns_and_counts_from_nothing() {
+    let start = CsangoCube::start();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_grafika"));
+    let output = command.args(["solve", &start.to_string(), "--rigid"]).output().unwrap();
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    let (number, list) = text.split_once(" moves\n").unwrap_or_else(|| panic!("{output:?}"));
+    let step = |word: &str| {
+        let (piece, letter) = word.split_at(word.len() - 1);
+        let action = Action::from_letter(letter.chars().next().unwrap()).unwrap();
+        Move { piece: piece.parse::<usize>().unwrap() - 1, action }
+    };
+    let moves: Vec<Move> = list.split_whitespace().map(step).collect();
+    assert_eq!(moves.len().to_string(), number);
+    assert!(moves.len() < 180, "{number}");
+    assert!(start.after_all(&moves, Rules::Rigid).unwrap().is_finished());
+    // The empty cube takes long to count; that it has begun is enough.
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_grafika"));
+    let mut counting = command.args(["solve", "--count", "--threads", "1"]).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(1));
+    assert!(counting.try_wait().unwrap().is_none());
+    counting.kill().unwrap();
+    counting.wait().unwrap();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_grafika")).arg("solve").output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
 }
 
 #[test]

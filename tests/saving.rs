@@ -9,7 +9,7 @@ use grafika::programs::{
 use common::{Kept, Refusing, SharedDisk, pictures};
 use grafika::figure::screen_png;
 use grafika::geometry::{Closure, Curve, Method, ParamCurve, Point};
-use grafika::machine::{Script, Settings, Storage, play};
+use grafika::machine::{Machine, Script, Settings, Storage, play};
 use grafika::ui::Program;
 
 const PLANE: Program = gb_2d_ip::PROGRAM;
@@ -247,4 +247,26 @@ fn the_same_keys_give_the_same_bytes() {
     let script = format!("{SPLINE}key F10\nkey D\nkey Enter\ntype x\nkey Enter\nkey Enter\nkey Enter");
     let files = || disk_after(PLANE, &script).file("gb_2d_ip-1.pdf");
     assert!(files().starts_with(b"%PDF-") && files() == files());
+}
+
+#[test]
+fn a_surface_without_area_is_no_figure() {
+    use grafika::file::{Document, Net, NetKind};
+    let enters = "key Enter\n".repeat(5);
+    let script = format!("key F\nkey T\nwait 9000\nshot before.png\nkey F10\nshot told.png\n{enters}");
+    // Every row is a point, so that the surface is a line; or it is a plate.
+    for (across, saved) in [(0.0, false), (80.0, true)] {
+        let row = |k: i32| (0..5).map(|l| [80.0 * f64::from(k), across * f64::from(l), 0.0]).collect();
+        let net = Document::Net(Net::new(NetKind::Fps, (0..5).map(row).collect()));
+        let disk = SharedDisk::default();
+        let machine = Machine::new(Box::new(disk.clone()), Settings::default());
+        let mut session = common::session_on(f_p_spln::PROGRAM, machine, Some(net));
+        let mut kept = Kept::default();
+        play(&mut session, &Script::parse(&script).unwrap(), &mut kept).unwrap();
+        assert_eq!(!disk.names().is_empty(), saved, "{:?}", disk.names());
+        assert!(kept.pictures["told.png"] != kept.pictures["before.png"]);
+        if !saved {
+            pictures::assert_golden("saved_without_area", &kept.pictures["told.png"]);
+        }
+    }
 }

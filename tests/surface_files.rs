@@ -122,7 +122,7 @@ fn meshes_read_back() {
     // OBJ and PLY give every double back.
     assert_eq!(obj_corners(&mesh.to_obj()), corners);
     assert_eq!(ply_corners(&mesh.to_ply().unwrap()), corners);
-    let stl = stl_corners(&mesh.to_stl().unwrap());
+    let stl = stl_corners(&mesh.to_stl().unwrap().bytes);
     assert_eq!(stl, corners.iter().map(|point| point.map(|x| f64::from(x as f32))).collect::<Vec<_>>());
 }
 

@@ -1,6 +1,7 @@
 //! Normals, brightness and curvature against exact surfaces and finite differences, and normals where the
 //! derivatives have none.
 
+use grafika::file::{Document, Format};
 use grafika::geometry::{Border, Method, ParamSurface, Point, Scheme, Surface, Topology};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -263,4 +264,39 @@ proptest! {
             }
         }
     }
+}
+
+/// The unit tangents of all meridians in the north pole, by differences of points alone.
+fn tangents_in_the_pole(surface: &Surface) -> Vec<Point<3>> {
+    let step = 1e-6;
+    let [rows, _] = surface.spans();
+    let tangent = |i: usize| {
+        let [pole, near] = [0.0, step].map(|v| surface.eval([i, 0], [0.0, v]).unwrap());
+        unit(std::array::from_fn(|d| near[d] - pole[d]))
+    };
+    (0..rows).map(tangent).collect()
+}
+
+/// The largest angle, in degrees, by which a meridian leaves the direction of the opposite one.
+fn kink(tangents: &[Point<3>]) -> f64 {
+    let (front, back) = tangents.split_at(tangents.len() / 2);
+    let angles = front.iter().zip(back).map(|(&there, &opposite)| angle(there, opposite.map(|x| -x)));
+    angles.fold(0.0, f64::max).to_degrees()
+}
+
+#[test]
+fn a_pole_of_beta_splines_has_a_tangent_plane_only_where_its_neighbours_lie_in_one() {
+    let surface = |name: &str| {
+        let bytes = std::fs::read(concat!(env!("CARGO_MANIFEST_DIR"), "/data/").to_owned() + name).unwrap();
+        let Ok(Document::Net(net)) = Document::read(Format::Zmb, &bytes) else { panic!("{name} is a net") };
+        let method = Method::Beta { bias: 1.0, tension: 0.0 };
+        surface(method, Topology::Sphere, &net.points)
+    };
+    // Opposite neighbours of the pole lie symmetrically in all of them, but only in a plane in these.
+    for name in ["A.ZMB", "B.ZMB", "K2.ZMB", "K3.ZMB"] {
+        let kink = kink(&tangents_in_the_pole(&surface(name)));
+        assert!(kink < 1e-3, "{name}: {kink}");
+    }
+    let kink = kink(&tangents_in_the_pole(&surface("K1.ZMB")));
+    assert!((kink - 32.8).abs() < 0.05, "{kink}");
 }

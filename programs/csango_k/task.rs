@@ -1,6 +1,6 @@
 //! What the program does by itself: searching for a filling and for the moves that build it, and playing them.
 
-use crate::puzzle::cube::{CsangoCube, Move, Progress, Rules, Search, Way, WayError};
+use crate::puzzle::cube::{CsangoCube, Move, Rules, Solver, WayError};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -21,31 +21,17 @@ pub(crate) enum Wanted {
 /// The search for the moves to the finished cube.
 pub(crate) struct Quest {
     pub(crate) wanted: Wanted,
-    from: CsangoCube,
-    rules: Rules,
-    stage: Stage,
-    /// Whether the pieces that lie in the cube may have to come out.
-    all_out: bool,
-}
-
-enum Stage {
-    Filling(Search),
-    Way(Box<Way>),
+    solver: Solver,
 }
 
 impl Quest {
-    /// A search that keeps pieces inside the cube where they are, if possible.
     pub(crate) fn new(from: CsangoCube, rules: Rules, wanted: Wanted, seed: u64) -> Quest {
-        let search = Search::new(&from.placed(), seed);
-        Quest { wanted, from, rules, stage: Stage::Filling(search), all_out: false }
+        Quest { wanted, solver: Solver::new(&from, rules, seed) }
     }
 
     /// The progress: nodes searched, pieces with a path.
     pub(crate) fn progress(&self) -> (u64, usize) {
-        match &self.stage {
-            Stage::Filling(search) => (search.nodes(), 0),
-            Stage::Way(way) => (0, way.done()),
-        }
+        self.solver.progress()
     }
 
     /// Continues for the time of a frame; returns the moves when they are found.
@@ -53,31 +39,7 @@ impl Quest {
     /// # Errors
     /// [`WayError`] if there are none.
     pub(crate) fn advance(&mut self) -> Result<Option<Vec<Move>>, WayError> {
-        match &mut self.stage {
-            Stage::Filling(search) => match search.advance(NODES) {
-                Progress::Working => {}
-                Progress::Exhausted => self.anew(WayError::NoFilling)?,
-                Progress::Found(filling) => match Way::new(&self.from, &filling, self.rules) {
-                    Ok(way) => self.stage = Stage::Way(Box::new(way)),
-                    Err(problem) => self.anew(problem)?,
-                },
-            },
-            Stage::Way(way) => match way.advance() {
-                Ok(found) => return Ok(found),
-                Err(problem) => self.anew(problem)?,
-            },
-        }
-        Ok(None)
-    }
-
-    /// Starts again with all pieces free to move; if that fails too, the search ends.
-    fn anew(&mut self, problem: WayError) -> Result<(), WayError> {
-        if self.all_out {
-            return Err(problem);
-        }
-        self.all_out = true;
-        self.stage = Stage::Filling(Search::new(&[], 0));
-        Ok(())
+        self.solver.advance(NODES)
     }
 }
 

@@ -200,8 +200,7 @@ fn letter(name: &str, [x, y]: Point<2>) -> Letters {
 
 /// The ticks of a window with a step; `None` if their numbers have too many digits.
 fn ticks(step: Step, window: BoundingBox<2>) -> Option<[[i64; 2]; 2]> {
-    let largest = window.min.iter().chain(&window.max).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let few = largest / step.value(1) <= MOST_STEPS;
+    let few = window.largest_coordinate() / step.value(1) <= MOST_STEPS;
     few.then(|| [0, 1].map(|d| at_least_one(step.around([window.min[d], window.max[d]]))))
 }
 

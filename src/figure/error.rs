@@ -40,8 +40,12 @@ pub enum FigureError {
         /// The greatest length in characters.
         most: usize,
     },
-    /// All triangles of a mesh are degenerate.
-    NoTriangles,
+    /// A surface that is no more than a line or a point.
+    NoArea,
+    /// A closed surface that lies in a plane.
+    Flat,
+    /// A surface of which single precision leaves nothing.
+    Confused,
     /// A coordinate does not fit into the single precision of STL.
     Single {
         /// The coordinate.
@@ -80,7 +84,16 @@ impl fmt::Display for FigureError {
             Self::Caption { given, most } => {
                 write!(f, "a caption of {given} letters is too long; at most {most}")
             }
-            Self::NoTriangles => f.write_str("the surface has no area; its points must not all be the same"),
+            Self::NoArea => f.write_str(
+                "the surface has no area: it is no more than a line or a point; its control points must not all lie on one",
+            ),
+            Self::Flat => f.write_str(
+                "the surface has no area that encloses anything: it is closed, but lies in a plane; move control points out of it",
+            ),
+            Self::Confused => f.write_str(
+                ".stl holds single precision, which leaves nothing of this surface; .ply and .obj hold it, or move it nearer to \
+                 the origin",
+            ),
             Self::Single { value } => {
                 write!(
                     f,

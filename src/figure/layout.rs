@@ -52,7 +52,7 @@ impl Layout {
     /// Fits a checked figure into its picture.
     pub(super) fn new(figure: &Figure) -> Layout {
         let width = f64::from(NOMINAL_WIDTH);
-        let overhang = figure.items.iter().map(overhang).fold(0.0, f64::max);
+        let overhang = figure.overhang();
         let margin = MARGIN + overhang;
         let measured = Measured::new(figure, width - 2.0 * margin, overhang);
         let [left, bottom] = measured.bands().map(|band| (band - margin + BAND_GAP).max(0.0));
@@ -204,7 +204,22 @@ impl Measured {
     }
 }
 
-/// How far an item extends beyond its points.
+impl Figure {
+    /// How far items reach beyond their points.
+    fn overhang(&self) -> f64 {
+        self.items.iter().map(overhang).fold(0.0, f64::max)
+    }
+
+    /// Whether it shall have axes, but cannot: their numbers would have more digits than can be told apart.
+    #[must_use]
+    pub fn lacks_axes(&self) -> bool {
+        let overhang = self.overhang();
+        let room = f64::from(NOMINAL_WIDTH) - 2.0 * (MARGIN + overhang);
+        self.axes.is_some() && matches!(Measured::new(self, room, overhang), Measured::Plain(_))
+    }
+}
+
+/// How far an item reaches beyond its points.
 fn overhang(item: &Item) -> f64 {
     match item {
         Item::Curve { style, .. } | Item::Polyline { style, .. } => style.width / 2.0,
@@ -222,9 +237,8 @@ fn window(figure: &Figure) -> BoundingBox<2> {
     };
     let all = figure.items.iter().filter_map(of_item).reduce(BoundingBox::union);
     let window = all.unwrap_or(BoundingBox { min: [0.0; 2], max: [1.0; 2] });
-    let largest = window.min.iter().chain(&window.max).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let extent = window.size().iter().fold(0.0_f64, |m, x| m.max(*x));
-    // Smaller extents are rounding errors only, and the reciprocals of tiny numbers overflow.
+    let (largest, extent) = (window.largest_coordinate(), window.extent());
+    // Smaller extents hold rounding only; the smallest numbers have no finite reciprocal.
     if extent > (1e-14 * largest).max(1e-150) {
         return window;
     }

@@ -1,4 +1,4 @@
-//! Surfaces as meshes of triangles for printers and modellers: Wavefront OBJ, STL and PLY.
+//! Surfaces as meshes of triangles for printers and modellers: Wavefront OBJ and PLY here, STL in [`super::stl`].
 //!
 //! The points of a grid are welded where the surface is joined to itself, so that a sphere or a torus is a
 //! closed solid without seams. The mesh is an approximation; the exact surface is written by
@@ -10,8 +10,8 @@ use crate::geometry::{BoundingBox, Grid, Point, cross, dot};
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Points of a border that differ by no more than this part of the largest coordinate are one point.
-const ROUNDING: f64 = 1e-12;
+/// Vertices that leave a plane by no more than this part of the extent lie in it.
+const FLATTEST: f64 = 1e-9;
 /// How much shorter the other diagonal of a cell has to be to be taken; equal ones give an even pattern.
 const SHORTER: f64 = 1.0 - 1e-9;
 
@@ -29,13 +29,19 @@ impl Mesh {
     /// counterclockwise, but in a closed mesh always as seen from outside (its volume is positive).
     ///
     /// # Errors
-    /// [`FigureError::NoTriangles`] when nothing is left.
+    /// [`FigureError::NoArea`] for a surface that is no more than a line or a point, [`FigureError::Flat`] for a closed one
+    /// that lies in a plane.
     pub fn from_grid(grid: &Grid) -> Result<Mesh, FigureError> {
         let mut mesh = Self::welded(grid)?;
         if mesh.is_inside_out() {
             mesh.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
         }
         Ok(mesh)
+    }
+
+    /// A mesh of these parts.
+    pub(super) fn new(vertices: Vec<Point<3>>, triangles: Vec<[usize; 3]>) -> Mesh {
+        Mesh { vertices, triangles }
     }
 
     /// A closed mesh whose triangles go round clockwise as seen from outside.
@@ -45,6 +51,9 @@ impl Mesh {
 
     /// The mesh with the orientation of the grid.
     pub(super) fn welded(grid: &Grid) -> Result<Mesh, FigureError> {
+        if !grid.has_area() {
+            return Err(FigureError::NoArea);
+        }
         let merged = merged(grid);
         let mut triangles: Vec<[usize; 3]> =
             grid.cells().flat_map(|cell| split(cell, grid.points())).collect();
@@ -68,12 +77,31 @@ impl Mesh {
         for corner in triangles.iter_mut().flatten() {
             *corner = numbers.get(*corner).copied().flatten().unwrap_or(0);
         }
-        let extent = BoundingBox::of_points(&vertices).map_or([0.0; 3], |bounds| bounds.size());
-        let largest = vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if extent.iter().all(|&size| size <= ROUNDING * largest) {
-            return Err(FigureError::NoTriangles);
+        let mesh = Mesh { vertices, triangles };
+        if mesh.is_flat() && mesh.closed_characteristic().is_some() {
+            return Err(FigureError::Flat);
         }
-        Ok(Mesh { vertices, triangles })
+        Ok(mesh)
+    }
+
+    /// Whether all vertices lie in one plane but for rounding.
+    pub(super) fn is_flat(&self) -> bool {
+        let (Some(&origin), Some(bounds)) = (self.vertices.first(), BoundingBox::of_points(&self.vertices))
+        else {
+            return true;
+        };
+        let extent = bounds.extent();
+        if extent <= 0.0 {
+            return true;
+        }
+        let away = |p: &Point<3>| -> Point<3> { std::array::from_fn(|d| (p[d] - origin[d]) / extent) };
+        let longest = |a: Point<3>, b: Point<3>| if dot(b, b) > dot(a, a) { b } else { a };
+        let leg = self.vertices.iter().map(away).fold([0.0; 3], longest);
+        let normal = self.vertices.iter().map(|p| cross(leg, away(p))).fold([0.0; 3], longest);
+        let length = dot(normal, normal).sqrt();
+        // Points on one line have no normal.
+        let least = bounds.rounding().max(FLATTEST * extent) / extent;
+        length <= least || self.vertices.iter().all(|p| (dot(normal, away(p)) / length).abs() <= least)
     }
 
     /// The vertices.
@@ -178,41 +206,15 @@ impl Mesh {
         }
         Ok(bytes)
     }
-
-    /// The mesh as binary STL, in single precision. Normals follow the order of the corners.
-    ///
-    /// # Errors
-    /// [`FigureError::Single`] for a coordinate that is too large for a single,
-    /// [`FigureError::TooManyVertices`] for more triangles than 32 bits count.
-    pub fn to_stl(&self) -> Result<Vec<u8>, FigureError> {
-        let count = u32::try_from(self.triangles.len()).map_err(|_| FigureError::TooManyVertices)?;
-        let mut bytes = vec![0; 80];
-        // The header is free, but must not begin with "solid", which means the textual form.
-        bytes.iter_mut().zip(*b"grafika").for_each(|(to, from)| *to = from);
-        bytes.extend(count.to_le_bytes());
-        for triangle in &self.triangles {
-            let corners = triangle.map(|n| self.vertices.get(n).copied().unwrap_or([0.0; 3]));
-            bytes.extend(normal(corners).iter().flat_map(|x| (*x as f32).to_le_bytes()));
-            for &value in corners.iter().flatten() {
-                let single = value as f32;
-                if !single.is_finite() {
-                    return Err(FigureError::Single { value });
-                }
-                bytes.extend(single.to_le_bytes());
-            }
-            bytes.extend([0; 2]);
-        }
-        Ok(bytes)
-    }
 }
 
 /// For every point of a grid the one that stands for it.
 fn merged(grid: &Grid) -> Vec<usize> {
     let [rows, columns] = [grid.rows(), grid.columns()];
     let [closed_u, closed_v] = grid.closed();
-    let largest = grid.points().iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let rounding = BoundingBox::of_points(grid.points()).map_or(0.0, |it| it.rounding());
     let near = |a: Option<Point<3>>, b: Option<Point<3>>| match (a, b) {
-        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= ROUNDING * largest),
+        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= rounding),
         _ => false,
     };
     let pole_row = |k: usize| !closed_u && (1..columns).all(|l| near(grid.point(k, 0), grid.point(k, l)));
@@ -258,17 +260,6 @@ pub(super) fn split(cell: [usize; 4], points: &[Point<3>]) -> [[usize; 3]; 2] {
     };
     let [a, b, c, d] = cell;
     if distance(b, d) < SHORTER * distance(a, c) { [[c, b, d], [b, a, d]] } else { [[c, b, a], [c, a, d]] }
-}
-
-/// The unit normal of a triangle; zero where it has none.
-fn normal([a, b, c]: [Point<3>; 3]) -> Point<3> {
-    let leg = |p: Point<3>| std::array::from_fn(|d| p[d] - a[d]);
-    let unit = |v: Point<3>| {
-        let length = v.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
-        if length > 0.0 { v.map(|x| x / length) } else { [0.0; 3] }
-    };
-    // Scaled first: the product of tiny legs would vanish.
-    unit(cross(unit(leg(b)), unit(leg(c))))
 }
 
 #[cfg(test)]
@@ -322,17 +313,17 @@ mod tests {
         let flat = Mesh::from_grid(&grid([2, 3], [false; 2], |u, v| [u, v, 0.0])).unwrap();
         assert_eq!((flat.triangles().len(), flat.closed_characteristic()), (4, None));
         for corners in flat.triangles() {
-            assert_eq!(normal(corners.map(|n| flat.vertices()[n])), [0.0, 0.0, 1.0]);
+            assert_eq!(super::super::stl::normal(corners.map(|n| flat.vertices()[n])), [0.0, 0.0, 1.0]);
         }
         let point = Mesh::from_grid(&grid([3, 3], [false; 2], |_, _| [1.0; 3]));
-        assert_eq!(point, Err(FigureError::NoTriangles));
+        assert_eq!(point, Err(FigureError::NoArea));
     }
 
     #[test]
     fn files_have_the_sizes_that_they_announce() {
         let mesh = Mesh::from_grid(&ball([9, 5], 1.0)).unwrap();
         let (vertices, triangles) = (mesh.vertices().len(), mesh.triangles().len());
-        assert_eq!(mesh.to_stl().unwrap().len(), 84 + 50 * triangles);
+        assert_eq!(mesh.to_stl().unwrap().bytes.len(), 84 + 50 * triangles);
         let ply = mesh.to_ply().unwrap();
         let end = ply.windows(11).position(|text| text == b"end_header\n").unwrap() + 11;
         assert_eq!(ply.len() - end, 24 * vertices + 13 * triangles);

@@ -1,7 +1,7 @@
 //! Figures: items in world coordinates with their styles.
 
 use super::{Axes, FigureError};
-use crate::geometry::{COORDINATE_LIMIT, Closure, CubicBezier, Point};
+use crate::geometry::{BoundingBox, COORDINATE_LIMIT, Closure, CubicBezier, Point};
 
 /// Width of a picture in nominal pixels, the unit of line widths, radii and dashes. A picture written with another
 /// width is the same picture, scaled.
@@ -134,6 +134,8 @@ pub struct Figure {
     pub(super) caption: Option<String>,
     pub(super) axes: Option<Axes>,
     pub(super) items: Vec<Item>,
+    /// Whether a surface without area is in it, which cannot be seen as one.
+    pub(super) lacks_area: bool,
 }
 
 impl Figure {
@@ -159,7 +161,8 @@ impl Figure {
         self.caption = Some(caption.into());
     }
 
-    /// Sets axes with ticks and numbers. They are left out if their numbers would have too many digits.
+    /// Draws axes with ticks and numbers; where they would have more digits than can be told apart, they are
+    /// left out: [`Figure::lacks_axes`].
     pub fn set_axes(&mut self, axes: Axes) {
         self.axes = Some(axes);
     }
@@ -198,7 +201,13 @@ impl Figure {
     }
 
     /// Whether everything can be drawn.
-    pub(super) fn check(&self) -> Result<(), FigureError> {
+    ///
+    /// # Errors
+    /// [`FigureError`] says what cannot: a coordinate, a style, a caption that is too long, or a surface without area.
+    pub fn check(&self) -> Result<(), FigureError> {
+        if self.lacks_area {
+            return Err(FigureError::NoArea);
+        }
         let letters = self.caption.as_deref().map_or(0, |caption| caption.chars().count());
         if letters > LONGEST_CAPTION {
             return Err(FigureError::Caption { given: letters, most: LONGEST_CAPTION });
@@ -224,8 +233,9 @@ pub(super) fn check_width(width: u32) -> Result<(), FigureError> {
 /// For each arc, whether it starts a new subpath because it does not begin at the end of the previous one, up to
 /// rounding errors. The first arc always does.
 pub(super) fn begins(arcs: &[CubicBezier<2>]) -> impl Iterator<Item = (bool, &CubicBezier<2>)> {
-    let largest = arcs.iter().flat_map(|arc| arc.p.iter().flatten()).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let apart = move |a: Point<2>, b: Point<2>| (0..2).any(|d| (a[d] - b[d]).abs() > 1e-9 * largest);
+    let bounds = BoundingBox::around(arcs.iter().flat_map(|arc| arc.p));
+    let rounding = bounds.map_or(0.0, |it| it.rounding());
+    let apart = move |a: Point<2>, b: Point<2>| (0..2).any(|d| (a[d] - b[d]).abs() > rounding);
     let ends = std::iter::once(None).chain(arcs.iter().map(|arc| Some(arc.p[3])));
     arcs.iter().zip(ends).map(move |(arc, end)| (end.is_none_or(|end| apart(end, arc.p[0])), arc))
 }

@@ -8,8 +8,8 @@ use crate::screen::Color;
 /// Tolerance of arcs relative to the size of the curve: far below a thousandth of a pixel in a picture 800 pixels
 /// wide.
 const TOLERANCE: f64 = 1e-7;
-/// Tolerance relative to the largest coordinate, near the precision of doubles.
-const LEAST_TOLERANCE: f64 = 1e-11;
+/// The same by the last bits of the coordinates; far from the origin doubles keep no less.
+const LEAST_TOLERANCE: f64 = 4.0;
 
 /// Line widths in nominal pixels.
 const CURVE_WIDTH: f64 = 2.0;
@@ -46,9 +46,7 @@ pub enum Hidden {
 #[must_use]
 pub fn tolerance<const D: usize>(bounds: Option<BoundingBox<D>>) -> f64 {
     let bounds = bounds.unwrap_or(BoundingBox::of_point([0.0; D]));
-    let extent = bounds.size().into_iter().fold(0.0_f64, f64::max);
-    let largest = bounds.min.iter().chain(&bounds.max).fold(0.0_f64, |m, x| m.max(x.abs()));
-    (TOLERANCE * extent).max(LEAST_TOLERANCE * largest).max(f64::MIN_POSITIVE)
+    (TOLERANCE * bounds.extent()).max(LEAST_TOLERANCE * bounds.last_bits()).max(f64::MIN_POSITIVE)
 }
 
 impl Figure {
@@ -58,8 +56,7 @@ impl Figure {
     /// # Errors
     /// Those of [`ParamCurve::to_cubics`]; piecewise cubic curves have none.
     pub fn plot_curve(&mut self, curve: &dyn ParamCurve<2>, ink: [u8; 3]) -> Result<(), GeometryError> {
-        self.plot_arcs(arcs(curve)?, Style::line(ink, CURVE_WIDTH));
-        Ok(())
+        self.plot_arcs(curve, |point| point, Style::line(ink, CURVE_WIDTH))
     }
 
     /// Adds the projection of a space curve, with the tolerance of [`Figure::plot_curve`].
@@ -72,11 +69,8 @@ impl Figure {
         view: &View,
         ink: [u8; 3],
     ) -> Result<(), GeometryError> {
-        // The projection is linear, so it maps arcs to arcs.
-        let seen = |arc: CubicBezier<3>| CubicBezier { p: arc.p.map(|point| view.place(point)) };
-        let arcs = arcs(curve)?.into_iter().map(seen).collect();
-        self.plot_arcs(arcs, Style::line(ink, CURVE_WIDTH));
-        Ok(())
+        // The projection is linear: it takes arcs to arcs.
+        self.plot_arcs(curve, |point| view.place(point), Style::line(ink, CURVE_WIDTH))
     }
 
     /// Adds a thin curve, for comparison.
@@ -84,13 +78,21 @@ impl Figure {
     /// # Errors
     /// Those of [`Figure::plot_curve`].
     pub fn plot_target(&mut self, curve: &dyn ParamCurve<2>) -> Result<(), GeometryError> {
-        self.plot_arcs(arcs(curve)?, Style::line(EDGE, WIRE_WIDTH));
-        Ok(())
+        self.plot_arcs(curve, |point| point, Style::line(EDGE, WIRE_WIDTH))
     }
 
-    fn plot_arcs(&mut self, arcs: Vec<CubicBezier<2>>, style: Style) {
-        let closure = closure(&arcs);
-        self.curve(arcs, closure, style);
+    fn plot_arcs<const D: usize>(
+        &mut self,
+        curve: &dyn ParamCurve<D>,
+        place: impl Fn(Point<D>) -> Point<2>,
+        style: Style,
+    ) -> Result<(), GeometryError> {
+        let arcs = curve.to_cubics(tolerance(curve.bounding_box()))?;
+        // Whoever made the curve knows best; one that is open may return to its beginning all the same.
+        let closure = if curve.closed() { Closure::Closed } else { closure(&arcs) };
+        let seen = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(&place) });
+        self.curve(seen.collect(), closure, style);
+        Ok(())
     }
 
     /// Adds dashed lines from control point to control point.
@@ -132,24 +134,20 @@ impl Figure {
         self.polyline(line, Closure::Open, Style::line(CURVE_INK, WIRE_WIDTH));
     }
 
-    /// Adds the projected lines of a surface.
+    /// Adds the lines of a surface as a view shows them; a picture of one without area is refused.
     pub fn plot_surface(&mut self, grid: &Grid, view: &View, hidden: Hidden) {
         let lines = match hidden {
             Hidden::Drawn => all_lines(grid, view),
             Hidden::LeftOut => visible_lines(grid, view),
         };
         lines.into_iter().for_each(|line| self.plot_border(line));
+        self.lacks_area |= !grid.has_area();
     }
 }
 
-/// The arcs that a curve is drawn by.
-fn arcs<const D: usize>(curve: &dyn ParamCurve<D>) -> Result<Vec<CubicBezier<D>>, GeometryError> {
-    curve.to_cubics(tolerance(curve.bounding_box()))
-}
-
-/// The closure of a curve: closed if it returns to its start.
+/// The form of a curve: one that returns to its beginning is closed.
 #[must_use]
-pub fn closure(curve: &dyn ParamCurve<2>) -> Closure {
+pub fn closure<const D: usize>(curve: &dyn ParamCurve<D>) -> Closure {
     if curve.closed() { Closure::Closed } else { Closure::Open }
 }
 
@@ -162,13 +160,25 @@ mod tests {
         let arc = |from: Point<2>, to: Point<2>| CubicBezier { p: [from, [1.0, 5.0], [5.0, 1.0], to] };
         assert_eq!(closure(&vec![arc([0.0; 2], [9.0; 2]), arc([9.0; 2], [1e-14, 0.0])]), Closure::Closed);
         assert_eq!(closure(&vec![arc([0.0; 2], [9.0; 2])]), Closure::Open);
-        assert_eq!(closure(&Vec::new()), Closure::Open);
+        assert_eq!(closure::<2>(&Vec::new()), Closure::Open);
+    }
+
+    #[test]
+    fn an_open_curve_is_open_however_far_away_it_lies() {
+        for far in [0.0, 1e6, 1e9, 1e12, 1e15] {
+            let line = [[far, far], [far + 3.0, far + 8.0], [far + 6.0, far], [far + 1.0, far]];
+            let arc = CubicBezier { p: line };
+            assert_eq!(closure(&vec![arc]), Closure::Open, "{far:e}");
+            let back = CubicBezier { p: [line[3], line[1], line[2], line[0]] };
+            assert_eq!(closure(&vec![arc, back]), Closure::Closed, "{far:e}");
+        }
     }
 
     #[test]
     fn tolerances_are_positive() {
-        let far = BoundingBox { min: [1e6, 0.0], max: [1e6, 0.0] };
+        let far = BoundingBox { min: [1e9, 0.0], max: [1e9, 1.0] };
         assert!(tolerance::<2>(None) > 0.0);
-        assert!((tolerance(Some(far)) / 1e-5 - 1.0).abs() < 1e-9);
+        // Far below a pixel of a curve that is a billion times as far away as it is large.
+        assert!((1e-7..1e-4).contains(&tolerance(Some(far))));
     }
 }

@@ -18,8 +18,8 @@ const LOOK: usize = 4;
 /// is oriented outwards. The same surface gives the same text, as the file has no date.
 ///
 /// # Errors
-/// [`FigureError::NoExactForm`] for a surface that is not a B-spline surface, [`FigureError::Degree`] for a Bézier
-/// net of more than 26 points a side, [`FigureError::NoTriangles`] for a surface without area.
+/// [`FigureError::NoExactForm`] for a surface that is no B-spline surface, [`FigureError::Degree`] for a Bézier net of more than 26 points a side, [`FigureError::NoArea`] for a
+/// surface without area, [`FigureError::Flat`] for a closed one in a plane.
 pub fn surface_step(surface: &dyn ParamSurface, name: &str) -> Result<String, FigureError> {
     let form = surface.to_bspline().ok_or(FigureError::NoExactForm)?;
     if let Some(&given) = form.degrees.iter().find(|&&degree| degree > MOST_DEGREES) {

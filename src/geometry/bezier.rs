@@ -13,7 +13,7 @@ pub struct Bezier<const D: usize> {
     points: Vec<Point<D>>,
 }
 
-/// Smallest tolerance of the cubic arcs, by the largest coordinate.
+/// Smallest tolerance of the cubic arcs, by the extent of the control points.
 const LEAST_TOLERANCE: f64 = 1e-12;
 
 /// How often a piece is halved at most. Its control points are then equal but for rounding, so
@@ -109,11 +109,12 @@ impl<const D: usize> ParamCurve<D> for Bezier<D> {
     /// one exact arc.
     ///
     /// # Errors
-    /// `tolerance` not positive or NaN, or below 1e-12 of the largest coordinate.
+    /// `tolerance` not positive or NaN, or below 1e-12 of the extent of the control points or the last bits of
+    /// their coordinates.
     fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<D>>, GeometryError> {
         check_tolerance(tolerance)?;
-        let largest = self.points.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let least = LEAST_TOLERANCE * largest;
+        let bounds = BoundingBox::of_points(&self.points);
+        let least = bounds.map_or(0.0, |it| (LEAST_TOLERANCE * it.extent()).max(it.last_bits()));
         if self.degree() > 3 && tolerance < least {
             return Err(GeometryError::ToleranceTooSmall { value: tolerance, least });
         }
@@ -324,7 +325,7 @@ mod tests {
             assert!(matches!(error, Err(GeometryError::Parameter { name: "tolerance", .. })));
         }
         assert!(matches!(wave(9).to_cubics(1e-15), Err(GeometryError::ToleranceTooSmall { .. })));
-        assert!(wave(9).to_cubics(1e-11).is_ok());
+        assert!(wave(9).to_cubics(1e-10).is_ok());
     }
 
     #[test]

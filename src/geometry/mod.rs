@@ -77,13 +77,13 @@ pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
 pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
 pub use param::{ParamCurve, Sample};
-pub use point::{Point, cross, dot};
+pub use point::{Point, cross, dot, norm};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
     BSplineSurface, Border, Derivatives, Grid, ParamSurface, Patch, Plane, RefineDirection, Rim, Scheme,
-    Surface, SurfaceSample, Topology, Weave, refine, section,
+    Surface, SurfaceSample, Topology, Weave, refine, section, triangle_width,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

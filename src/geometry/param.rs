@@ -275,9 +275,6 @@ fn through<const D: usize>(a: Point<D>, b: Point<D>, c: Point<D>, d: Point<D>) -
     CubicBezier { p: [a, inner(a, b, c, d), inner(d, c, b, a), d] }
 }
 
-/// How near the ends of a row of arcs are, by the largest coordinate, where it returns but for rounding.
-const RETURNED: f64 = 1e-12;
-
 /// Rows of cubic arcs, one a span.
 impl<const D: usize> ParamCurve<D> for Vec<CubicBezier<D>> {
     fn spans(&self) -> usize {
@@ -287,8 +284,9 @@ impl<const D: usize> ParamCurve<D> for Vec<CubicBezier<D>> {
     /// Whether the last arc ends where the first begins; rounding does not count.
     fn closed(&self) -> bool {
         let (Some(first), Some(last)) = (self.first(), self.last()) else { return false };
-        let largest = self.iter().flat_map(|arc| arc.p.iter().flatten()).fold(0.0_f64, |m, x| m.max(x.abs()));
-        first.p[0].iter().zip(last.p[3]).all(|(a, b)| (a - b).abs() <= RETURNED * largest)
+        let bounds = BoundingBox::around(self.iter().flat_map(|arc| arc.p));
+        let rounding = bounds.map_or(0.0, |it| it.rounding());
+        first.p[0].iter().zip(last.p[3]).all(|(a, b)| (a - b).abs() <= rounding)
     }
 
     fn at(&self, span: usize, u: f64) -> Option<[Point<D>; 3]> {

@@ -34,7 +34,8 @@ pub fn cross(a: Point<3>, b: Point<3>) -> Point<3> {
 }
 
 /// Euclidean length of a vector, without premature overflow or underflow.
-pub(super) fn norm<const D: usize>(v: Point<D>) -> f64 {
+#[must_use]
+pub fn norm<const D: usize>(v: Point<D>) -> f64 {
     let largest = v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if largest == 0.0 || !largest.is_finite() {
         return largest;

@@ -59,6 +59,12 @@ impl Desk<'_> {
                 Content::Screen(Box::new(self.machine.screen().clone()))
             }
         };
+        if let Content::Figure(figure) = &content
+            && let Err(error) = figure.check()
+        {
+            self.tell(words::figure_problem(&error), Stay::UntilRead);
+            return Ok(());
+        }
         let (kind, extension) = self.ask_kind(picture).await?;
         let width = match kind {
             Kind::Png => self.ask_width(picture, content.widths()).await?,
@@ -68,11 +74,15 @@ impl Desk<'_> {
             self.ask_words(picture, figure).await?;
         }
         let name = self.ask_name(picture, extension).await?;
-        let saved = content.encode(kind, width).map_err(|error| Phrase::plain(&error)).and_then(|file| {
-            let written = self.machine.storage().write(&name, &file);
-            written.map_err(|error| words::storage_problem(&error))
-        });
+        let saved =
+            content.encode(kind, width).map_err(|error| words::figure_problem(&error)).and_then(|file| {
+                let written = self.machine.storage().write(&name, &file);
+                written.map_err(|error| words::storage_problem(&error))
+            });
         match saved {
+            Ok(()) if content.lacks_axes() => {
+                self.tell(words::figure_saved_without_axes(&name), Stay::UntilRead);
+            }
             Ok(()) => self.tell(words::figure_saved(&name), Stay::Briefly),
             Err(problem) => self.tell(problem, Stay::UntilRead),
         }
@@ -216,8 +226,12 @@ impl Content {
         }
     }
 
-    /// The content of the file. A PNG has this width in pixels, that of a screen the nearest whole multiple of its
-    /// width.
+    /// Whether axes were wanted that cannot be drawn.
+    fn lacks_axes(&self) -> bool {
+        matches!(self, Content::Figure(figure) if figure.lacks_axes())
+    }
+
+    /// The file; a PNG has this width in pixels, a screen the nearest whole multiple.
     fn encode(&self, kind: Kind, width: u32) -> Result<Vec<u8>, FigureError> {
         match (self, kind) {
             (Content::Figure(figure), Kind::Svg) => figure.to_svg().map(String::into_bytes),

@@ -2,6 +2,7 @@
 //! that scripts and habits work in either language.
 
 pub use super::phrase::{Hot, Phrase, Words};
+use crate::figure::FigureError;
 use crate::file::{FileError, Format};
 use crate::geometry::{GeometryError, Residuals};
 use crate::machine::{Language, StorageError, StorageProblem};
@@ -84,6 +85,25 @@ pub(crate) const CAPTION_ENTRY: Words = Words("Képaláírás (lehet üres):", "
 /// A figure has been saved.
 pub(crate) fn figure_saved(name: &str) -> Phrase {
     Phrase::new(format!("Ábra: {name}"), format!("Figure: {name}"))
+}
+
+/// A figure has been saved, but its axes could not be drawn.
+pub(crate) fn figure_saved_without_axes(name: &str) -> Phrase {
+    Phrase::new(
+        format!("Ábra: {name}, tengelyek nélkül: ily messze az origótól a számaik nem különböznének"),
+        format!("Figure: {name}, without axes: so far from the origin their numbers could not be told apart"),
+    )
+}
+
+/// Why there is no figure.
+pub(crate) fn figure_problem(error: &FigureError) -> Phrase {
+    match error {
+        FigureError::NoArea => Phrase::new(
+            "A felületnek nincs területe: vonallá vagy ponttá zsugorodik",
+            "The surface has no area: it is no more than a line or a point",
+        ),
+        other => Phrase::plain(other),
+    }
 }
 
 /// A picture of the screen has been saved.

@@ -6,11 +6,11 @@ use clap::Args;
 use grafika::design::{Design, NetDesign, Shape, Sketch};
 use grafika::figure::{
     Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, Mesh, NOMINAL_WIDTH, SMALLEST_WIDTH, closure,
-    surface_step, tolerance,
+    surface_step,
 };
 use grafika::file::SPACE_VIEW;
-use grafika::geometry::{BoundingBox, Closure, CubicBezier, ParamSurface, Point, View};
-use grafika::launch::{Failure, progress, write_output};
+use grafika::geometry::{BoundingBox, Closure, GeometryError, ParamSurface, Point, View};
+use grafika::launch::{Failure, progress, say, write_output};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -88,17 +88,15 @@ impl Render {
                 let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
                 let bounds = [BoundingBox::of_points(&points), curve.bounding_box()];
                 let places: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
-                let arcs = curve.to_cubics(tolerance(curve.bounding_box())).map_err(Failure::work)?;
-                // The projection is linear: it takes arcs to arcs.
-                let arcs = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(|p| view.place(p)) });
-                let mut figure = self.figure(&places, arcs.collect());
+                let mut figure = self.figure(&places, closure(&**curve), |figure| {
+                    figure.plot_space_curve(&**curve, &view, CURVE_INK)
+                })?;
                 self.measure(&mut figure, view, bounds);
                 figure
             }
             (design, Shape::Plane(curve)) => {
                 let points = if let Design::Plane(sketch) = design { sketch.points } else { Vec::new() };
-                let arcs = curve.to_cubics(tolerance(curve.bounding_box())).map_err(Failure::work)?;
-                self.figure(&points, arcs)
+                self.figure(&points, closure(&**curve), |figure| figure.plot_curve(&**curve, CURVE_INK))?
             }
             // A design has a shape of its own kind.
             _ => self.titled(),
@@ -107,6 +105,9 @@ impl Render {
     }
 
     fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {
+        if figure.lacks_axes() {
+            say("grafika", NO_AXES);
+        }
         let content = match format {
             Format::Svg => figure.to_svg_of_width(self.width).map(String::into_bytes),
             Format::Pdf => figure.to_pdf_of_width(self.width),
@@ -146,7 +147,12 @@ impl Render {
         let mesh = Mesh::from_grid(&surface.grid(steps).map_err(Failure::work)?).map_err(Failure::work)?;
         let content = match format {
             Format::Obj => Ok(mesh.to_obj().into_bytes()),
-            Format::Stl => mesh.to_stl(),
+            Format::Stl => mesh.to_stl().map(|stl| {
+                if let Some(warning) = stl.warning() {
+                    say("grafika", &warning);
+                }
+                stl.bytes
+            }),
             _ => mesh.to_ply(),
         };
         content.map_err(Failure::work)
@@ -201,19 +207,28 @@ impl Render {
         }
     }
 
-    fn figure(&self, points: &[Point<2>], arcs: Vec<CubicBezier<2>>) -> Figure {
+    /// A curve that is plotted over its control polygon and under its points.
+    fn figure(
+        &self,
+        points: &[Point<2>],
+        closure: Closure,
+        plot: impl FnOnce(&mut Figure) -> Result<(), GeometryError>,
+    ) -> Result<Figure, Failure> {
         let mut figure = self.titled();
         if self.polygon {
-            figure.plot_polygon(points.to_vec(), closure(&arcs));
+            figure.plot_polygon(points.to_vec(), closure);
         }
-        // Arcs are drawn as they are.
-        let _ = figure.plot_curve(&arcs, CURVE_INK);
+        plot(&mut figure).map_err(Failure::work)?;
         if self.points {
             figure.plot_points(points);
         }
-        figure
+        Ok(figure)
     }
 }
+
+/// What is said where axes were asked for and cannot be drawn.
+const NO_AXES: &str = "the picture has no axes: so far from the origin their numbers would need too many digits to be \
+                       told apart; move the points nearer to the origin";
 
 const FORMATS: &str = "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step";
 

@@ -5,7 +5,7 @@ use clap::Args;
 use grafika::disk::read_stream;
 use grafika::file::{CsangoCube, Document, TableOptions};
 use grafika::launch::{Failure, open_as, progress, write_output};
-use grafika::puzzle::cube::{Count, PIECES, Progress, Rules, Search as Filling, Way, all_fillings};
+use grafika::puzzle::cube::{Count, PIECES, Placed, Rules, Solver as CubeSolver, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -27,11 +27,13 @@ const IN_LINE: usize = 20;
   grafika solve MCEM
   grafika solve FILE.CSK --rigid
   grafika solve --count A.CSK
+  grafika solve --count
   cat wheel.gyk | grafika solve - --from gyk")]
 pub(crate) struct Solve {
     /// A file of a puzzle (.GYK, .CSK), a position as a program shows it, moves from the solved wheel (MCEM), or -
-    /// for standard input: such a text, or a file with --from
-    puzzle: String,
+    /// for standard input: such a text, or a file with --from; none with --count means the empty cube
+    #[arg(required_unless_present = "count")]
+    puzzle: Option<String>,
     #[command(flatten)]
     from: InputFormat,
     /// Count the ways to fill the cube around the pieces that lie in its place; without any, up to rotations
@@ -49,17 +51,18 @@ impl Solve {
     /// Solves and tells.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let from = self.from.from;
-        if self.puzzle == "-" && from.is_none() {
+        let Some(puzzle) = &self.puzzle else { return write_output(None, self.number(&[]).as_bytes()) };
+        if puzzle == "-" && from.is_none() {
             let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
             let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(error.to_string()))?;
             let text = String::from_utf8(text).map_err(|_| failure("the text is not UTF-8".to_owned()))?;
             return self.text(text.trim());
         }
         // A file has an extension, a text has no point.
-        if !self.puzzle.contains('.') && from.is_none() {
-            return self.text(self.puzzle.trim());
+        if !puzzle.contains('.') && from.is_none() {
+            return self.text(puzzle.trim());
         }
-        match open_as(Path::new(&self.puzzle), from, &TableOptions::default())?.document {
+        match open_as(Path::new(puzzle), from, &TableOptions::default())?.document {
             Document::BeadWheel(wheel) => {
                 self.wheel(&Wheel::try_from(&wheel).map_err(|error| self.problem(error))?)
             }
@@ -81,7 +84,7 @@ impl Solve {
     }
 
     fn problem(&self, problem: impl std::fmt::Display) -> Failure {
-        Failure::work(format!("{}: {problem}", self.puzzle))
+        Failure::work(format!("{}: {problem}", self.puzzle.as_deref().unwrap_or_default()))
     }
 
     /// The bead wheel: the moves, how many there are, whether that is proven.
@@ -119,28 +122,40 @@ impl Solve {
 
     /// The Csángó cube: the moves from the position to the finished cube, or the number of fillings.
     fn cube(&self, position: &CsangoCube) -> Result<String, String> {
-        let placed = position.placed();
         if self.count {
-            let count = if placed.is_empty() { all_fillings() } else { Count::with_fixed(&placed) };
-            let total = self.counted(&count);
-            let up_to = if placed.is_empty() { " up to rotations" } else { "" };
-            return Ok(format!("{total} fillings{up_to}, {} of the pieces in their places\n", placed.len()));
+            return Ok(self.fillings(position));
         }
         if position.is_finished() {
             return Ok("the cube is finished\n".to_owned());
         }
         let rules = if self.rigid { Rules::Rigid } else { Rules::Book };
         let _alive = progress::alive("searching");
-        // What lies in the cube's place stays if it can; else all comes out.
-        let found = [placed, Vec::new()].into_iter().find_map(|fixed| {
-            let mut search = Filling::new(&fixed, 0);
-            let Progress::Found(filling) = search.advance(u64::MAX) else { return None };
-            Way::new(position, &filling, rules).and_then(Way::finish).ok()
-        });
-        let moves = found.ok_or("no solution is found from this position")?;
+        let moves = CubeSolver::new(position, rules, 0).finish();
+        let moves = moves.map_err(|why| format!("no solution is found from this position: {why}"))?;
         let words: Vec<String> = moves.iter().map(ToString::to_string).collect();
         let lines: Vec<String> = words.chunks(IN_LINE).map(|line| line.join(" ")).collect();
         Ok(format!("{} moves\n{}\n", moves.len(), lines.join("\n")))
+    }
+
+    /// The number of fillings around the pieces of a position. A finished cube is one wherever it stands.
+    fn fillings(&self, position: &CsangoCube) -> String {
+        if let Some(filling) = position.filling() {
+            return self.number(&filling.placed);
+        }
+        let mut text = self.number(&position.placed());
+        for piece in position.sticking_out() {
+            text += &format!("piece {} lies partly in the cube's place and was not counted\n", piece + 1);
+        }
+        text
+    }
+
+    /// The number of fillings around some pieces, in words; around none, up to rotations.
+    fn number(&self, placed: &[Placed]) -> String {
+        let count = if placed.is_empty() { all_fillings() } else { Count::with_fixed(placed) };
+        let total = self.counted(&count);
+        let fillings = if total == 1 { "filling" } else { "fillings" };
+        let up_to = if placed.is_empty() { " up to rotations" } else { "" };
+        format!("{total} {fillings}{up_to}, {} of the pieces in their places\n", placed.len())
     }
 
     /// Counts the parts on threads: each takes the next one that nobody has taken.

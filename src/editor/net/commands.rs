@@ -103,7 +103,7 @@ impl Editor<Nets, 3> {
         let drawn = self.craft.draw_up(self.history.now());
         self.shown.known = drawn.is_ok();
         match &drawn {
-            Ok(drawn) if drawn.collapsed() => desk.tell(words::COLLAPSED, Stay::Briefly),
+            Ok(drawn) if !drawn.grid.has_area() => desk.tell(words::COLLAPSED, Stay::Briefly),
             Ok(_) => {}
             Err(error) => desk.tell(refusal::of_surface(error), Stay::UntilRead),
         }

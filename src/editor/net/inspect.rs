@@ -106,7 +106,7 @@ impl Inspection {
         let [rows, columns] = surface.spans();
         let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
         let Ok(grid) = surface.grid(steps) else { return false };
-        let size = surface.bounding_box().map_or(1.0, |b| b.size().into_iter().fold(1e-9, f64::max));
+        let size = surface.bounding_box().map_or(1.0, |bounds| bounds.extent());
         let toward = look.view.toward();
         let color: Box<dyn Fn(&Place<'_>) -> Color> = match self {
             Inspection::Off => return false,

@@ -3,7 +3,7 @@
 use super::Nets;
 use super::plan::Family;
 use crate::design::{DesignError, NetDesign};
-use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex, dot};
+use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
@@ -38,26 +38,7 @@ pub(super) struct Drawn {
     pub(super) steps: usize,
 }
 
-/// A point counts as on a line if its distance is below this fraction of the line's length.
-const ON_LINE: f64 = 1e-9;
-
-impl Drawn {
-    /// Whether the whole surface lies on a line or in a point.
-    pub(super) fn collapsed(&self) -> bool {
-        let points = self.grid.points();
-        let Some(&origin) = points.first() else { return true };
-        let offset = |point: &Point<3>| -> Point<3> { std::array::from_fn(|d| point[d] - origin[d]) };
-        let farthest = points.iter().map(offset).max_by(|a, b| dot(*a, *a).total_cmp(&dot(*b, *b)));
-        let Some(line) = farthest else { return true };
-        let length = dot(line, line);
-        points.iter().map(offset).all(|point| {
-            // Lagrange's identity: the squared area of the parallelogram that both vectors span.
-            dot(point, point) * length - dot(point, line).powi(2) <= (ON_LINE * length).powi(2)
-        })
-    }
-}
-
-/// Fill colours of the cells.
+/// What the cells are filled with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fill {
     /// The same colour on both sides.

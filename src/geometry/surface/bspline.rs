@@ -1,11 +1,7 @@
 //! A surface as one B-spline surface, the form in which other programs take exact surfaces.
 
-use crate::geometry::Point;
 use crate::geometry::point::lerp;
-
-/// Joints of a closed direction and points of a pole that differ by no more than this part of the largest
-/// coordinate are the same point but for rounding.
-const ROUNDING: f64 = 1e-12;
+use crate::geometry::{BoundingBox, Point};
 
 /// A B-spline surface over clamped knots. Direction 0 is `u`, 1 is `v`.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,9 +65,9 @@ impl BSplineSurface {
 
     /// Makes points that differ by rounding the same: at seams and at poles.
     pub(super) fn close(&mut self, closed: [bool; 2]) {
-        let largest = self.net.iter().flatten().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let near =
-            |a: &Point<3>, b: &Point<3>| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= ROUNDING * largest);
+        let bounds = BoundingBox::around(self.net.iter().flatten().copied());
+        let rounding = bounds.map_or(0.0, |it| it.rounding());
+        let near = |a: &Point<3>, b: &Point<3>| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= rounding);
         if let ([first, .., last], true) = (self.net.as_mut_slice(), closed[0]) {
             last.clone_from(first);
         }

@@ -1,6 +1,10 @@
 //! A surface as a grid of points.
 
-use crate::geometry::Point;
+use crate::geometry::point::{norm, scaled_difference};
+use crate::geometry::{BoundingBox, Point, cross};
+
+/// A surface that is nowhere wider than this part of its extent is a line.
+const NARROWEST: f64 = 1e-9;
 
 /// Points of a surface in rows of constant `u`; its cells are the quadrilaterals between neighbours.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +61,22 @@ impl Grid {
         if column < self.columns { self.points.get(row * self.columns + column).copied() } else { None }
     }
 
+    /// Whether the surface is more than a line or a point: whether some cell has an area. In a surface that has
+    /// shrunk to a curve, as a torus of equal circles, no cell has.
+    #[must_use]
+    pub fn has_area(&self) -> bool {
+        let Some(bounds) = BoundingBox::of_points(&self.points).filter(|it| it.extent() > it.last_bits())
+        else {
+            return false;
+        };
+        let narrowest = bounds.rounding().max(NARROWEST * bounds.extent());
+        let at = |index: usize| self.points.get(index).copied().unwrap_or([0.0; 3]);
+        self.cells().any(|cell| {
+            let [a, b, c, d] = cell.map(at);
+            [[a, b, c], [a, c, d]].into_iter().any(|corners| triangle_width(corners) > narrowest)
+        })
+    }
+
     /// The indices in [`Grid::points`] of the corners of every cell: (k, l), (k, l - 1), (k - 1, l - 1),
     /// (k - 1, l), row by row.
     pub fn cells(&self) -> impl Iterator<Item = [usize; 4]> + '_ {
@@ -67,4 +87,17 @@ impl Grid {
             })
         })
     }
+}
+
+/// The least width of a triangle: the height over its longest side.
+#[must_use]
+pub fn triangle_width([a, b, c]: [Point<3>; 3]) -> f64 {
+    let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| scaled_difference(1.0, from, to));
+    let longest = sides.map(norm).into_iter().fold(0.0, f64::max);
+    if longest == 0.0 {
+        return 0.0;
+    }
+    // Scaled first: the product of tiny sides would vanish.
+    let [u, v, _] = sides.map(|side| side.map(|x| x / longest));
+    norm(cross(u, v)) * longest
 }

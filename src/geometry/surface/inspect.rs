@@ -5,10 +5,13 @@
 use super::Derivatives;
 use crate::geometry::param::clipped;
 use crate::geometry::point::{norm, scaled_difference};
-use crate::geometry::{Point, cross, dot};
+use crate::geometry::{BoundingBox, Point, cross, dot};
 
-/// Derivatives shorter than this part of the largest coordinate may be nothing but rounding.
+/// Derivatives shorter than this part of the patch may be nothing but rounding.
 const SHORT: f64 = 1e-10;
+
+/// The same in last bits of its coordinates.
+const LAST_BITS: f64 = 4.0;
 
 /// The sine of an angle between two derivatives that may be nothing but rounding.
 const NARROW: f64 = 1e-8;
@@ -22,28 +25,33 @@ const TARGETS: [[f64; 2]; 5] = [[0.5, 0.5], [0.25, 0.6], [0.7, 0.35], [0.1, 0.15
 /// The derivatives of a patch at a place.
 type Patch<'a> = &'a dyn Fn([f64; 2]) -> Option<Derivatives>;
 
-/// The unit normal, or its limit; coordinates are as large as `size`.
-pub(super) fn normal(patch: Patch<'_>, size: f64, uv: [f64; 2]) -> Option<Point<3>> {
-    let uv = uv.map(clipped);
-    let at = |uv: [f64; 2]| clear_normal(&patch(uv)?, size);
+/// The unit normal, or its limit; `bounds` is round what the patch is made of.
+pub(super) fn normal(patch: Patch<'_>, bounds: BoundingBox<3>, uv: [f64; 2]) -> Option<Point<3>> {
+    let (uv, shortest) = (uv.map(clipped), shortest(bounds));
+    let at = |uv: [f64; 2]| clear_normal(&patch(uv)?, shortest);
     at(uv).or_else(|| TARGETS.iter().find_map(|&target| normal_limit(at, way(uv, target)?)))
 }
 
 /// The Gaussian curvature, or its limit.
-pub(super) fn gaussian_curvature(patch: Patch<'_>, size: f64, uv: [f64; 2]) -> Option<f64> {
-    let uv = uv.map(clipped);
+pub(super) fn gaussian_curvature(patch: Patch<'_>, bounds: BoundingBox<3>, uv: [f64; 2]) -> Option<f64> {
+    let (uv, shortest) = (uv.map(clipped), shortest(bounds));
     let at = |uv: [f64; 2]| {
         let derivatives = patch(uv)?;
-        clear_normal(&derivatives, size).and_then(|_| derivatives.gaussian_curvature())
+        clear_normal(&derivatives, shortest).and_then(|_| derivatives.gaussian_curvature())
     };
     at(uv).or_else(|| TARGETS.iter().find_map(|&target| curvature_limit(at, way(uv, target)?)))
 }
 
+/// The length up to which derivatives may be nothing but rounding.
+fn shortest(bounds: BoundingBox<3>) -> f64 {
+    (SHORT * bounds.extent()).max(LAST_BITS * bounds.last_bits())
+}
+
 /// The normal of derivatives that are certainly more than rounding.
-fn clear_normal(at: &Derivatives, size: f64) -> Option<Point<3>> {
+fn clear_normal(at: &Derivatives, shortest: f64) -> Option<Point<3>> {
     let (along_u, along_v) = (norm(at.u), norm(at.v));
     // Not greater, so that a NaN is refused too.
-    if !(along_u > SHORT * size && along_v > SHORT * size) {
+    if !(along_u > shortest && along_v > shortest) {
         return None;
     }
     let unit = Derivatives { u: at.u.map(|x| x / along_u), v: at.v.map(|x| x / along_v), ..*at };

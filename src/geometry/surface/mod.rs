@@ -20,7 +20,7 @@ mod tensor;
 mod weave;
 
 pub use bspline::{BSplineSurface, Rim};
-pub use grid::Grid;
+pub use grid::{Grid, triangle_width};
 pub use param::{ParamSurface, SurfaceSample};
 pub use patch::{Derivatives, Patch};
 pub use patches::Surface;

@@ -48,13 +48,12 @@ pub trait ParamSurface: fmt::Debug {
         per_cell
     }
 
-    /// The largest coordinate of what a patch is made of, which rounding is measured by; `None` outside the
-    /// spans. Here that of nine of its points.
-    fn largest_coordinate(&self, spans: [usize; 2]) -> Option<f64> {
-        let places = [0.0, 0.5, 1.0];
-        let mut points =
-            places.into_iter().flat_map(|u| places.map(|v| [u, v])).map(|uv| self.eval(spans, uv));
-        points.try_fold(0.0, |m, point| Some(point?.into_iter().fold(m, |m: f64, x| m.max(x.abs()))))
+    /// A box round what a patch is made of, which rounding is measured by; `None` outside the spans. Here that
+    /// of nine of its points.
+    fn patch_bounds(&self, spans: [usize; 2]) -> Option<BoundingBox<3>> {
+        let places = [0.0, 0.5, 1.0].into_iter().flat_map(|u| [0.0, 0.5, 1.0].map(|v| [u, v]));
+        let points: Option<Vec<Point<3>>> = places.map(|uv| self.eval(spans, uv)).collect();
+        BoundingBox::of_points(&points?)
     }
 
     /// Fills `row` with the points of the line of constant `u` in span `i`, every span of `v` in
@@ -155,7 +154,7 @@ pub trait ParamSurface: fmt::Debug {
     ///
     /// `None` outside the spans, and where the patch is no more than a line or a point.
     fn normal(&self, spans: [usize; 2], uv: [f64; 2]) -> Option<Point<3>> {
-        inspect::normal(&|uv| self.at(spans, uv), self.largest_coordinate(spans)?, uv)
+        inspect::normal(&|uv| self.at(spans, uv), self.patch_bounds(spans)?, uv)
     }
 
     /// The Gaussian curvature at a place as in [`ParamSurface::at`], as [`Derivatives::gaussian_curvature`]; at a
@@ -164,7 +163,7 @@ pub trait ParamSurface: fmt::Debug {
     ///
     /// `None` where [`ParamSurface::normal`] is, and where the curvature grows without limit.
     fn gaussian_curvature(&self, spans: [usize; 2], uv: [f64; 2]) -> Option<f64> {
-        inspect::gaussian_curvature(&|uv| self.at(spans, uv), self.largest_coordinate(spans)?, uv)
+        inspect::gaussian_curvature(&|uv| self.at(spans, uv), self.patch_bounds(spans)?, uv)
     }
 
     /// The brightness of a place in parallel light: the cosine of the angle between the normal and the

@@ -167,11 +167,10 @@ impl ParamSurface for Surface {
     }
 
     /// That of the control points.
-    fn largest_coordinate(&self, [i, j]: [usize; 2]) -> Option<f64> {
-        let largest = |m: f64, p: &Point<3>| p.iter().fold(m, |m, x| m.max(x.abs()));
+    fn patch_bounds(&self, [i, j]: [usize; 2]) -> Option<BoundingBox<3>> {
         match &self.body {
-            Body::Patches(_) => Some(self.patch(i, j)?.p.iter().flatten().fold(0.0, largest)),
-            Body::Bezier(net) => Some(net.iter().flatten().fold(0.0, largest)),
+            Body::Patches(_) => BoundingBox::around(self.patch(i, j)?.p.into_iter().flatten()),
+            Body::Bezier(net) => BoundingBox::around(net.iter().flatten().copied()),
         }
     }
 

@@ -47,18 +47,15 @@ impl Plane {
     }
 }
 
-/// How near to the plane a place is on it, by the size of the surface.
+/// How near to the plane a place is on it, by the extent of the surface.
 const ON_PLANE: f64 = 1e-13;
-
-/// How near to each other points are one, by the size of the surface.
-const ONE_POINT: f64 = 1e-12;
 
 /// Rounds of the search for a crossing; halving alone is at the last bit by then.
 const ROUNDS: usize = 80;
 
 /// The lines in which a plane cuts a surface, as polylines on both; `per_cell` steps for every cell of the net
 /// decide how fine they are and what is missed. A closed line ends with its first point. The points lie on
-/// the surface, and on the plane to 1e-12 of the size (the largest coordinate of surface and offset).
+/// the surface, and on the plane to 1e-12 of the extent of the surface and the last bits of the coordinates.
 ///
 /// A line ends at the borders of the surface. One that goes through a pole goes on behind it. Where the plane
 /// only touches the surface from below there is nothing; a touch from above may leave a tiny ring.
@@ -138,18 +135,22 @@ struct Mesh<'a> {
     lines: [Lines; 2],
     /// Of every place, row by row: whether it is on the plane or above it.
     above: Vec<bool>,
-    /// What is called 1 when points are compared.
-    size: f64,
+    /// How near to the plane a place is on it.
+    on_plane: f64,
+    /// How near to each other points are one.
+    one_point: f64,
 }
 
 impl<'a> Mesh<'a> {
     fn new(surface: &'a dyn ParamSurface, plane: Plane, per_cell: usize) -> Result<Self, GeometryError> {
         let grid = surface.grid(per_cell)?;
         let lines = [0, 1].map(|direction| Lines::new(surface, direction, per_cell));
-        let size = surface.bounding_box().map_or(0.0, |bounds| {
-            bounds.min.iter().chain(&bounds.max).fold(plane.offset.abs(), |m, x| m.max(x.abs()))
-        });
-        let mut mesh = Self { surface, plane, lines, above: Vec::new(), size };
+        let bounds = surface.bounding_box();
+        // Heights are differences of numbers as large as these.
+        let last_bits = bounds.map_or(0.0, |it| it.last_bits() / 4.0).max(f64::EPSILON * plane.offset.abs());
+        let on_plane = bounds.map_or(0.0, |it| ON_PLANE * it.extent()).max(last_bits);
+        let one_point = bounds.map_or(0.0, |it| it.rounding());
+        let mut mesh = Self { surface, plane, lines, above: Vec::new(), on_plane, one_point };
         mesh.above = mesh.sides(&grid);
         Ok(mesh)
     }
@@ -180,13 +181,13 @@ impl<'a> Mesh<'a> {
 
     /// Whether two points are one but for rounding.
     fn same(&self, a: Point<3>, b: Point<3>) -> bool {
-        norm(scaled_difference(1.0, a, b)) <= ONE_POINT * self.size
+        norm(scaled_difference(1.0, a, b)) <= self.one_point
     }
 
     /// The height over the plane; what is on it but for rounding is at 0.
     fn height(&self, point: Point<3>) -> f64 {
         let height = self.plane.height(point);
-        if height.abs() <= ON_PLANE * self.size { 0.0 } else { height }
+        if height.abs() <= self.on_plane { 0.0 } else { height }
     }
 
     fn vertex(&self, k: usize, l: usize) -> usize {

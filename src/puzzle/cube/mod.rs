@@ -12,6 +12,7 @@ mod position;
 mod reach;
 mod search;
 mod shape;
+mod solver;
 mod state;
 mod way;
 
@@ -22,5 +23,6 @@ pub use position::{CsangoCube, CubePiece, Fault, ROTATIONS};
 pub(crate) use position::{add, turned};
 pub use search::{Progress, Search};
 pub use shape::{PIECES, PieceShape, TABLE, shape};
+pub use solver::Solver;
 pub use state::StateError;
 pub use way::{CORNER, Way, WayError};

@@ -55,6 +55,17 @@ impl CsangoCube {
     pub fn placed(&self) -> Vec<Placed> {
         inside(self).into_iter().map(|(_, placed)| placed).collect()
     }
+
+    /// The pieces, counted from 0, that lie partly where the cube is built and partly outside.
+    #[must_use]
+    pub fn sticking_out(&self) -> Vec<usize> {
+        let whole = |index: usize, piece: CubePiece| mask_of(piece.cells(index), CORNER).is_some();
+        let pieces = self.pieces.iter().enumerate();
+        pieces
+            .filter(|&(index, &piece)| touches(index, piece) && !whole(index, piece))
+            .map(|(index, _)| index)
+            .collect()
+    }
 }
 
 impl CsangoCube {
