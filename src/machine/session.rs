@@ -6,7 +6,7 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Asked, Language, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
+use super::{Asked, Language, Look, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
@@ -127,6 +127,11 @@ impl Session {
     /// How the colours are to look.
     pub fn palette(&self) -> Palette {
         self.port.borrow().preferences.palette
+    }
+
+    /// How a window is to show the picture.
+    pub fn look(&self) -> Look {
+        self.port.borrow().preferences.look
     }
 
     /// How far keys move the mouse.

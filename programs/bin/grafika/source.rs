@@ -52,7 +52,7 @@ pub(crate) fn output_kind(path: &Path, said: Option<FileKind>) -> Result<FileKin
 /// A kind of file by its extension, with or without a dot.
 pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
     FileKind::from_extension(text.trim_start_matches('.'))
-        .ok_or_else(|| "no data file has this extension; there are ip2 ic2 ec2 gbp ip3 fhc fps fem fpb fbs zms zmb zys zyb zyp gyk csk json csv".into())
+        .ok_or_else(|| "no data file has this extension; there are ip2 ic2 ec2 gbp ip3 fhc fps fem fpb fbs zms zmb zys zyb zyp gyk csk bil json csv".into())
 }
 
 #[cfg(test)]
