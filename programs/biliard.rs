@@ -13,7 +13,14 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "biliard",
     about: Words("Biliárd tizenegy golyóval", "Billiards with eleven balls"),
-    intro: Words("", ""),
+    intro: Words(
+        "Tizenegy egyforma golyó gurul egy asztalon, és veszteség nélkül ütközik. Húzza el az egérrel a bal oldali golyó képét a \
+         többi felé, és engedje el. Ahány képponttal odébb, annyi képpont másodpercenként: a mozgás az ütközések \
+         egyenleteiből (4.1-4.12) pontosan következik.",
+        "Eleven equal balls roll on a table and hit each other without loss. Drag the ghost of the ball on the left towards the \
+         others and let go. So many pixels away, so many pixels a second: the motion follows exactly from the \
+         equations of the hits (4.1 to 4.12).",
+    ),
     keys: player::KEYS,
     lesson: &[],
 };

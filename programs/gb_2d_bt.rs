@@ -8,7 +8,7 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "gb_2d_bt",
     about: Words(
-        "Síkgörbék β-spline közelítéssel: eltolás, feszültség",
+        "Síkgörbék béta-spline közelítéssel: eltolás, feszültség",
         "Plane beta-splines: bias and tension",
     ),
     intro: Words(

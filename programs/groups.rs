@@ -105,6 +105,10 @@ pub const INSTALLER: Group = Group {
 pub const GROUPS: [&Group; 8] =
     [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &GAMES, &INSTALLER];
 
+/// Every group in the order of the menu: it begins with what shows at once what it is.
+pub const MENU: [&Group; 8] =
+    [&PLANE_CURVES, &GAMES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &CURSORS, &INSTALLER];
+
 impl PartialEq for Group {
     /// Groups are told apart by their folders.
     fn eq(&self, other: &Group) -> bool {
@@ -135,6 +139,11 @@ mod tests {
             GROUPS.iter().flat_map(|group| group.samples().map(|(name, _)| name)).collect();
         assert_eq!(grouped.len(), SAMPLES.len());
         assert!(SAMPLES.iter().all(|(name, _)| grouped.contains(name)));
+    }
+
+    #[test]
+    fn the_menu_has_every_group() {
+        assert!(GROUPS.iter().all(|group| MENU.contains(group)));
     }
 
     #[test]

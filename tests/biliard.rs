@@ -93,6 +93,10 @@ fn golden_pictures() {
         ("biliard_end", "key Q"),
         ("biliard_help", "key F1"),
         ("biliard_help_english", "key F1\nkey F2"),
+        ("biliard_today", "manner today"),
+        ("biliard_today_aimed", "manner today\nmove 60 240\npress left\nmove 420 262"),
+        ("biliard_today_rolling", "lang en\nmanner today\nkey T\ndrag 60 240 560 246\nwait 2000"),
+        ("biliard_today_blue", "manner today\nkey T\nkey T\nmove 60 240\npress left\nmove 460 240"),
     ];
     for (name, script) in cases {
         pictures::assert_golden(name, &run(script).pictures["end.png"]);
@@ -113,6 +117,29 @@ fn no_shot_without_a_drag() {
     ] {
         assert_eq!(model(&format!("{script}\nwait 100")), start, "{script}");
     }
+}
+
+#[test]
+fn a_click_ends_the_motion_in_the_manner_of_today() {
+    let rest = model(&format!("{BREAK}wait 200000"));
+    assert_eq!(model(&format!("manner today\n{BREAK}wait 500\nclick 320 100")), rest);
+    assert_eq!(model(&format!("{BREAK}wait 500\nclick 320 100"))["rolling"], true);
+    // The click that ended it is no grip on a ball.
+    assert_eq!(model(&format!("manner today\n{BREAK}wait 500\ndrag 414 232 300 300")), rest);
+}
+
+#[test]
+fn balls_keep_their_colours_on_any_cloth() {
+    let colors = |script: &str| {
+        let picture = &run(script).pictures["end.png"];
+        [(60, 240), (400, 240), (428, 240), (442, 264)].map(|(x, y)| picture.pixel(x, y))
+    };
+    let white = colors("");
+    assert_eq!(white, colors("key T"));
+    assert_eq!(white, colors("key T\nkey T"));
+    let cloth = |script: &str| run(script).pictures["end.png"].pixel(200, 100);
+    assert_ne!(cloth(""), cloth("key T"));
+    assert_eq!(cloth(""), cloth("key T\nkey T\nkey T"));
 }
 
 #[test]

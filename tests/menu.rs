@@ -60,6 +60,27 @@ fn a_found_program_is_the_program_itself() {
 }
 
 #[test]
+fn typing_never_ends_the_menu_and_esc_asks_first() {
+    let script = "wait 500\nshot\ntype QIQI qxq!\nwait 3000\nkey Esc\nkey Home\nwait 500\nshot\nkey Esc\nshot\nkey N\nwait 500\nshot\n\
+        key Esc\nkey Esc\nwait 500\nshot";
+    let shots = shots("typing", &[], script);
+    let [start, cleared, asked, stayed, again] = shots.as_slice() else { panic!("five pictures") };
+    assert!(start == cleared && start == stayed && start == again && start != asked);
+}
+
+#[test]
+fn the_mouse_chooses_by_pointing_starts_by_clicking_and_the_wheel_scrolls() {
+    // The second tile of the first row, and the first of the second.
+    let script = "wait 500\nkey Right\nwait 3000\nshot\nkey Home\nmove 400 100\nwait 3000\nshot\nmove 60 220\nwait 3000\nshot\n\
+        wheel -1\nwait 500\nshot\nwheel 1\nmove 400 100\nclick 60 220\nshot";
+    let itself = shots("itself_by_mouse", &["gb_2d_ip"], "move 60 220\nshot");
+    let shots = shots("mouse", &[], script);
+    let [keys, pointed, other, scrolled, started] = shots.as_slice() else { panic!("five pictures") };
+    assert!(keys == pointed && other != pointed && scrolled != other);
+    assert!(*started == itself[0]);
+}
+
+#[test]
 fn the_settings_lie_over_the_picture_and_go_again() {
     let script = "key U\nshot\nkey F9\nshot\nkey Down\nkey Down\nkey Down\nkey Right\nshot\nkey Left\nkey Esc\nshot\n\
         key F9\nkey Right\nkey Right\nkey Esc\nkey F9\nkey Esc\nshot";

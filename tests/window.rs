@@ -170,16 +170,37 @@ impl Desktop {
         self.fake(xproto::BUTTON_RELEASE_EVENT, 1, 0, 0);
     }
 
+    /// A part of the picture, at a scale of 1, as the server has it.
+    fn image(&self, (x, y): (i16, i16), (width, height): (u16, u16)) -> Vec<u8> {
+        let image = self.connection.get_image(ImageFormat::Z_PIXMAP, self.window, x, y, width, height, !0);
+        image.unwrap().reply().unwrap().data
+    }
+
+    /// User and system time in hundredths of a second, fields 14 and 15.
+    fn used(&self) -> u64 {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.program.0.id())).unwrap();
+        let (_, fields) = stat.rsplit_once(')').unwrap();
+        fields.split_whitespace().skip(11).take(2).map(|field| field.parse::<u64>().unwrap()).sum()
+    }
+
     fn press_key(&self, letter: char) {
+        // The key symbols of Latin letters are their codes.
+        self.press_symbol(u32::from(letter));
+    }
+
+    fn press_symbol(&self, symbol: u32) {
+        let code = self.key_code(symbol);
+        self.fake(xproto::KEY_PRESS_EVENT, code, 0, 0);
+        self.fake(xproto::KEY_RELEASE_EVENT, code, 0, 0);
+    }
+
+    fn key_code(&self, symbol: u32) -> u8 {
         let setup = self.connection.setup();
         let (first, last) = (setup.min_keycode, setup.max_keycode);
         let mapping = self.connection.get_keyboard_mapping(first, last - first + 1).unwrap().reply().unwrap();
         let mut codes = mapping.keysyms.chunks(usize::from(mapping.keysyms_per_keycode));
-        // The key symbols of Latin letters are their codes.
-        let place = codes.position(|symbols| symbols[0] == u32::from(letter)).unwrap();
-        let code = first + place as u8;
-        self.fake(xproto::KEY_PRESS_EVENT, code, 0, 0);
-        self.fake(xproto::KEY_RELEASE_EVENT, code, 0, 0);
+        let place = codes.position(|symbols| symbols[0] == symbol).unwrap();
+        first + place as u8
     }
 
     /// What a window manager does when the close button is clicked.
@@ -242,7 +263,9 @@ fn a_window_from_start_to_end() {
         }
     }
     desktop.resize(400, 350, 1, (0, 0));
-    wait("the reduced picture", || (desktop.color(0, 25) == program::PICTURE[1].1).then_some(()));
+    // The middle of a pixel whose neighbours have its colour: (100, 300).
+    let reduced = || (desktop.color(62, 212) == program::PICTURE[0].1).then_some(());
+    wait("the reduced picture", || (desktop.color(0, 24) == 0).then(reduced).flatten());
     desktop.resize(1280, 960, 2, (0, 0));
 
     let (question, color) = program::QUESTION;
@@ -267,16 +290,10 @@ fn a_window_of_the_wanted_scale_needs_no_time_while_nothing_happens() {
     for (pixel, color) in program::PICTURE {
         desktop.wait_for(pixel, color);
     }
-    // User and system time in hundredths of a second, fields 14 and 15.
-    let used = || -> u64 {
-        let stat = std::fs::read_to_string(format!("/proc/{}/stat", desktop.program.0.id())).unwrap();
-        let (_, fields) = stat.rsplit_once(')').unwrap();
-        fields.split_whitespace().skip(11).take(2).map(|field| field.parse::<u64>().unwrap()).sum()
-    };
     std::thread::sleep(Duration::from_millis(500));
-    let before = used();
+    let before = desktop.used();
     std::thread::sleep(Duration::from_secs(2));
-    let ticks = used() - before;
+    let ticks = desktop.used() - before;
     assert!(ticks <= 4, "{ticks} hundredths of a second of two seconds at rest");
 }
 
@@ -318,4 +335,76 @@ fn a_window_without_the_keyboard_holds_no_button() {
     desktop.fake(xproto::BUTTON_RELEASE_EVENT, 1, 0, 0);
     wait("the second click", || (recorded("release left") == 2).then_some(()));
     assert_eq!(recorded("press left"), 2);
+}
+
+/// Key symbols of F9, F11, Control and Down.
+const F9: u32 = 0xFFC6;
+const F11: u32 = 0xFFC8;
+const CONTROL: u32 = 0xFFE3;
+const DOWN: u32 = 0xFF54;
+
+/// A program in a window of the picture's size, with settings in a folder.
+fn in_window(display: &str, executable: &str, folder: &std::path::Path, title: &str) -> Desktop {
+    let mut command = Command::new(executable);
+    command.args(["--display", "window", "--scale", "1"]).current_dir(folder);
+    command.env("XDG_STATE_HOME", folder).env("XDG_CONFIG_HOME", folder).env("LC_ALL", "en_US.UTF-8");
+    Desktop::start_program(display, &mut command, title)
+}
+
+#[test]
+fn the_language_is_changed_in_the_settings_by_mouse_and_kept() {
+    let Some((_server, display)) = server() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let desktop = in_window(&display, env!("CARGO_BIN_EXE_gb_2d_ip"), folder.path(), "GB_2D_IP");
+    let names = || desktop.image((100, 100), (190, 200));
+    wait("the first picture", || names().iter().any(|&byte| byte != 0).then_some(()));
+    let before = names();
+    desktop.press_symbol(F9);
+    wait("the settings", || (names() != before).then_some(()));
+    std::thread::sleep(Duration::from_millis(200));
+    let english = names();
+    let kept = || std::fs::read_to_string(folder.path().join("grafika/config.toml")).unwrap_or_default();
+    // The first row is the language: a click on the value turns it forward, left of it back.
+    desktop.click((400, 114));
+    wait("Hungarian", || kept().contains("language = \"hu\"").then_some(()));
+    wait("Hungarian names", || (names() != english).then_some(()));
+    desktop.click((308, 114));
+    wait("the language of the locale", || (!kept().contains("language") && names() == english).then_some(()));
+    // The last row closes the page.
+    desktop.click((130, 334));
+    wait("the end of the settings", || (names() == before).then_some(()));
+}
+
+#[test]
+fn a_key_changes_the_look_of_the_window_and_it_is_kept() {
+    let Some((_server, display)) = server() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let mut desktop = in_window(&display, env!("CARGO_BIN_EXE_biliard"), folder.path(), "BILIARD");
+    desktop.resize(900, 600, 1, (130, 60));
+    let margin = |desktop: &Desktop| desktop.color(60, 300);
+    desktop.wait_for((5, 5), 0x55_FFFF);
+    assert_eq!(margin(&desktop), 0);
+    let control = desktop.key_code(CONTROL);
+    desktop.fake(xproto::KEY_PRESS_EVENT, control, 0, 0);
+    desktop.press_symbol(F11);
+    desktop.fake(xproto::KEY_RELEASE_EVENT, control, 0, 0);
+    wait("the filling picture", || (margin(&desktop) == 0x55_FFFF).then_some(()));
+    let kept = std::fs::read_to_string(folder.path().join("grafika/config.toml")).unwrap();
+    assert!(kept.contains("look = \"fill\""), "{kept}");
+}
+
+/// What the menu takes of a core, row by row of its grid.
+#[test]
+#[ignore = "measures for a minute; for a release build on an idle machine"]
+fn the_menu_takes_little_power_wherever_it_stands() {
+    let Some((_server, display)) = server() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let desktop = in_window(&display, env!("CARGO_BIN_EXE_grafika"), folder.path(), "GRAFIKA");
+    for row in 0..18 {
+        std::thread::sleep(Duration::from_secs(2));
+        let before = desktop.used();
+        std::thread::sleep(Duration::from_secs(3));
+        println!("row {row}: {:.1} %", (desktop.used() - before) as f64 / 3.0);
+        desktop.press_symbol(DOWN);
+    }
 }

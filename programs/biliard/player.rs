@@ -4,11 +4,11 @@ use super::picture::{Discs, View, ball_at};
 use super::rolling::{Pace, Rolling};
 use super::texts;
 use crate::file::{Document, Format};
-use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Tick};
+use crate::machine::{Asked, Asking, Button, Event, Key, Language, Machine, Manner, Preference, Tick};
 use crate::screen::Screen;
 use crate::table::Game;
 use crate::table::{Surface, Table};
-use crate::ui::{Command, Commands, Desk, KeyHelp, Manual, Phrase, Picture, Stay, Words, words};
+use crate::ui::{Command, Commands, Desk, Hint, KeyHelp, Manual, Phrase, Picture, Stay, Words, words};
 use crate::work::{self, History, Next, Work};
 use serde::Serialize;
 use std::time::Duration;
@@ -34,6 +34,11 @@ const COMMANDS: Commands<Action> = Commands(&[
     Command::key(Key::Esc, texts::BACK, Action::Back),
     Command::key(Key::Enter, texts::SKIP, Action::Do(|player, _| player.come_to_rest())),
     Command::key(Key::Char('A'), texts::LINE, Action::Do(|player, _| player.line = !player.line)),
+    Command::key(
+        Key::Char('T'),
+        texts::CLOTH,
+        Action::Do(|_, desk| desk.prefer(|it| it.turn(Preference::Cloth, true))),
+    ),
     Command::key(Key::Char('R'), texts::SLOWLY, Action::Do(Player::replay)),
     Command::key(
         Key::Char('S'),
@@ -74,6 +79,7 @@ struct Player {
     spin: i32,
     /// Time on the machine's clock; balls continue to roll while help is read.
     now: Duration,
+    manner: Manner,
 }
 
 /// The model as `dump` writes it.
@@ -93,12 +99,13 @@ struct Model {
 pub(crate) async fn run(machine: &mut Machine, manual: Manual, game: Option<Box<Game>>) -> Asked<()> {
     let player = Player {
         games: History::new(Game::new()),
-        discs: Discs::new(),
+        discs: Discs::new(machine.preferences().cloth),
         grip: None,
         rolling: None,
         line: true,
         spin: 0,
         now: Duration::ZERO,
+        manner: machine.manner(),
     };
     work::run(player, &mut Desk::new(machine, manual), game.map(Document::Billiards)).await
 }
@@ -106,6 +113,20 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual, game: Option<Box<
 impl Picture for Player {
     fn draw(&self, screen: &mut Screen, language: Language) {
         self.view().draw(screen, language);
+    }
+
+    fn hint(&self) -> Option<Hint> {
+        let won = self.games.now().points.is_some_and(|points| points.winner().is_some());
+        let text = match &self.rolling {
+            Some(rolling) if rolling.pace == Pace::Slow => texts::HINT_REPLAY,
+            Some(_) => texts::HINT_ROLL,
+            None if self.grip.is_some() => texts::HINT_AIM,
+            None if won => texts::HINT_WON,
+            None => texts::HINT_SHOOT,
+        };
+        // Beside the speed, while there is one.
+        let letters = if self.grip.is_some() { 40 } else { 70 };
+        Some(Hint { at: (40, 455), letters, text: text.into() })
     }
 }
 
@@ -167,6 +188,8 @@ impl Work for Player {
     /// Makes the steps that are due, and commits the game when the balls have come to rest.
     fn look(&mut self, desk: &Desk<'_>) {
         self.now = desk.machine.now();
+        self.manner = desk.machine.manner();
+        self.discs.cover(desk.machine.preferences().cloth);
         if self.rolling.as_mut().is_some_and(|rolling| rolling.advance(self.now)) {
             self.come_to_rest();
         }
@@ -211,7 +234,8 @@ impl Player {
             aimed,
             line: self.line,
             spin: self.spin,
-            replay: self.rolling.as_ref().is_some_and(|rolling| rolling.pace == Pace::Slow),
+            replay: self.is_replay() && self.manner == Manner::Original,
+            cue: self.manner == Manner::Today,
         }
     }
 
@@ -227,6 +251,10 @@ impl Player {
         let let_go = tick.event == Some(Event::Release(Button::Left));
         self.grip = self.grip.filter(|_| let_go || tick.mouse.holds(Button::Left));
         match tick.event {
+            // Nothing can be shot while balls roll.
+            Some(Event::Press(Button::Left)) if self.rolling.is_some() && self.manner == Manner::Today => {
+                self.come_to_rest();
+            }
             Some(Event::Press(Button::Left)) if self.rolling.is_none() => {
                 let (x, y) = (tick.mouse.x, tick.mouse.y);
                 let ball = ball_at(&self.games.now().balls, x, y);

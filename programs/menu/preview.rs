@@ -19,7 +19,12 @@ pub(super) struct Preview {
     /// The key that it gets at every step.
     motion: Option<Key>,
     pixels: Vec<Color>,
+    /// Steps since the small picture last changed.
+    still: u32,
 }
+
+/// After so many steps without a change a small picture stands: what happens in its program is not to be seen.
+const STANDS: u32 = 20;
 
 impl Preview {
     /// Starts a program and leads it to its picture. What a script cannot do is left out: there is a
@@ -42,12 +47,18 @@ impl Preview {
         let script = Script::parse(demo.script).unwrap_or_default();
         let _ = play(&mut session, &script, &mut ());
         let pixels = small(&session.screen());
-        Preview { session, now: Duration::ZERO, motion: demo.motion, pixels }
+        Preview { session, now: Duration::ZERO, motion: demo.motion, pixels, still: 0 }
     }
 
     /// Whether its picture changes by itself.
     pub(super) fn moves(&self) -> bool {
-        !self.session.ended() && (self.motion.is_some() || self.session.deadline().is_some())
+        let goes_on = self.motion.is_some() || self.session.deadline().is_some();
+        self.still < STANDS && goes_on && !self.session.ended()
+    }
+
+    /// Lets a picture that stands move again.
+    pub(super) fn wake(&mut self) {
+        self.still = 0;
     }
 
     /// Lets the program go on for a while.
@@ -57,7 +68,8 @@ impl Preview {
         if let Some(key) = self.motion {
             self.session.send(Event::Key(key), self.now);
         }
-        self.pixels = small(&self.session.screen());
+        let before = std::mem::replace(&mut self.pixels, small(&self.session.screen()));
+        self.still = if before == self.pixels { self.still + 1 } else { 0 };
     }
 
     /// Draws the small picture.
@@ -72,31 +84,27 @@ impl Preview {
 /// A screen made smaller: every pixel has the colour that its square of the screen has more of than is to be
 /// expected, so that thin lines stay and grids vanish.
 fn small(screen: &Screen) -> Vec<Color> {
-    let all = count(screen.pixels()).map(|count| f64::from(count).sqrt().max(1.0));
+    let weights = count([screen.pixels()]).map(|count| 1.0 / f64::from(count).sqrt().max(1.0));
     let place = |index: i32| (index % SMALL.0 * SCALE, index / SMALL.0 * SCALE);
-    (0..SMALL.0 * SMALL.1).map(|index| shown(screen, place(index), &all)).collect()
+    (0..SMALL.0 * SMALL.1).map(|index| shown(screen, place(index), &weights)).collect()
 }
 
-/// How often every colour is among pixels.
-fn count(pixels: &[u8]) -> [u32; 16] {
+/// How often every colour is among rows of pixels.
+fn count<'p>(rows: impl IntoIterator<Item = &'p [u8]>) -> [u32; 16] {
     let mut count = [0; 16];
-    pixels.iter().for_each(|pixel| count[usize::from(pixel & 15)] += 1);
+    rows.into_iter().flatten().for_each(|pixel| count[usize::from(pixel & 15)] += 1);
     count
 }
 
 /// The colour that a square of the screen shows.
-fn shown(screen: &Screen, (x, y): (i32, i32), all: &[f64; 16]) -> Color {
-    let mut weights = [0.0; 16];
-    for dy in 0..SCALE {
+fn shown(screen: &Screen, (x, y): (i32, i32), weights: &[f64; 16]) -> Color {
+    let rows = (y..y + SCALE).map(|y| {
         // The square is on the screen.
-        let start = ((y + dy) * WIDTH + x) as usize;
-        let row = screen.pixels().get(start..start + SCALE as usize).unwrap_or_default();
-        weights
-            .iter_mut()
-            .zip(count(row))
-            .zip(all)
-            .for_each(|((weight, count), all)| *weight += f64::from(count) / all);
-    }
-    let most = (0..16_u8).max_by(|a, b| weights[usize::from(*a)].total_cmp(&weights[usize::from(*b)]));
+        let start = (y * WIDTH + x) as usize;
+        screen.pixels().get(start..start + SCALE as usize).unwrap_or_default()
+    });
+    let count = count(rows);
+    let weight = |color: u8| f64::from(count[usize::from(color)]) * weights[usize::from(color)];
+    let most = (0..16_u8).max_by(|a, b| weight(*a).total_cmp(&weight(*b)));
     Color::from_index(most.unwrap_or(0))
 }

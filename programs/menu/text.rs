@@ -3,9 +3,9 @@
 use super::folded;
 use crate::file::Format;
 use crate::machine::{Key, Language, SAMPLES};
-use crate::programs::groups::GROUPS;
+use crate::programs::groups::MENU;
 use crate::textmode::{Doing, Hit, Overlay, Page, Row, Summary, TextEvent, TextProgram, chosen_after};
-use crate::ui::{Group, Program, Words};
+use crate::ui::{Group, Program, Words, words};
 
 const TITLE: Words = Words(
     "GRAFIKA - Füzi János: Interaktív grafika (1997)",
@@ -18,7 +18,7 @@ const KEYS: [(Key, Words, Words); 4] = [
     (Key::Enter, Words("Enter", "Enter"), Words("indítás", "start")),
     (Key::Down, Words("A-Z", "A-Z"), Words("keresés", "search")),
     (Key::F(2), Words("F2", "F2"), Words("English", "magyar")),
-    (Key::Esc, Words("Esc", "Esc"), Words("kilép", "quit")),
+    (Key::Esc, Words("Esc", "Esc"), Words("kilépés", "quit")),
 ];
 
 /// A line of the list, with what it stands for.
@@ -37,7 +37,12 @@ pub struct TextMenu {
     started: Option<&'static Program>,
     left: bool,
     message: Option<String>,
+    /// Whether it is asked if this is the end.
+    ending: bool,
 }
+
+/// The answers to that question, yes first; both languages' letters are understood in either.
+const ANSWERS: [(&str, Words); 2] = [("IY", Words("igen", "yes")), ("N", Words("nem", "no"))];
 
 impl TextMenu {
     /// The menu in a language, with its first program chosen.
@@ -45,7 +50,7 @@ impl TextMenu {
         let of_group = |group: &'static Group| {
             [Entry::Group(group)].into_iter().chain(group.programs().map(Entry::Program))
         };
-        let entries = GROUPS.into_iter().flat_map(of_group).collect();
+        let entries = MENU.into_iter().flat_map(of_group).collect();
         TextMenu {
             language,
             entries,
@@ -54,6 +59,7 @@ impl TextMenu {
             started: None,
             left: false,
             message: None,
+            ending: false,
         }
     }
 
@@ -81,10 +87,11 @@ impl TextMenu {
 
     fn rows(&self) -> Vec<Row> {
         let row = |entry: &Entry| match entry {
-            Entry::Group(group) => {
-                Row::Heading(format!("{}. {}", group.chapter, group.name.of(self.language)))
+            Entry::Group(group) => Row::Heading(group.name.of(self.language).to_owned()),
+            Entry::Program(program) => {
+                let name = program.manual.name.to_uppercase();
+                Row::Item(format!("  {name:10} {}", program.manual.about.of(self.language)))
             }
-            Entry::Program(program) => Row::Item(format!("  {}", program.manual.name.to_uppercase())),
         };
         self.entries.iter().map(row).collect()
     }
@@ -136,7 +143,7 @@ impl TextMenu {
         match key {
             Key::Enter => self.started = self.program(),
             Key::F(2) => self.language = self.language.other(),
-            Key::Esc if self.typed.is_empty() => self.left = true,
+            Key::Esc if self.typed.is_empty() => self.ending = true,
             Key::Esc => self.typed.clear(),
             Key::Backspace => {
                 self.typed.pop();
@@ -150,16 +157,47 @@ impl TextMenu {
     }
 }
 
+impl TextMenu {
+    /// What is answered to whether this is the end.
+    fn answer(&mut self, event: TextEvent) {
+        let answer = match event {
+            TextEvent::Click(Hit::Answer(index)) => Some(index),
+            // Esc takes the question back.
+            TextEvent::Key(Key::Esc) => Some(1),
+            TextEvent::Key(Key::Char(typed)) => {
+                ANSWERS.iter().position(|(letters, _)| letters.contains(typed.to_ascii_uppercase()))
+            }
+            _ => None,
+        };
+        if let Some(answer) = answer {
+            (self.ending, self.left) = (false, answer == 0);
+        }
+    }
+}
+
 impl TextProgram for TextMenu {
     fn page(&self) -> Page {
         let language = self.language;
         let list = LIST.of(language);
         let keys = KEYS.iter().map(|(_, key, what)| (key.of(language).into(), what.of(language).into()));
-        let overlay = self.message.as_ref().map(|message| Overlay::Message {
+        let message = |lines: &str, answers| Overlay::Message {
             title: "GRAFIKA".into(),
-            lines: vec![message.clone()],
-            answers: vec![("Enter".into(), Words("tovább", "continue").of(language).into())],
-        });
+            lines: vec![lines.trim().into()],
+            answers,
+        };
+        let go_on = || vec![("Enter".into(), Words("tovább", "go on").of(language).into())];
+        let answers = || {
+            // The letter of the language: the first in Hungarian, the last in English.
+            let letter = |letters: &str| match language {
+                Language::Hungarian => letters.chars().take(1).collect(),
+                Language::English => letters.chars().rev().take(1).collect(),
+            };
+            ANSWERS.map(|(letters, word)| (letter(letters), word.of(language).into())).to_vec()
+        };
+        let overlay = match &self.message {
+            Some(text) => Some(message(text, go_on())),
+            None => self.ending.then(|| message(words::ASK_END.of(language), answers())),
+        };
         Page {
             language,
             title: TITLE.of(language).to_owned(),
@@ -182,6 +220,8 @@ impl TextProgram for TextMenu {
         } else if self.message.is_some() {
             let goes_on = matches!(event, TextEvent::Key(_) | TextEvent::Click(Hit::Answer(_)));
             self.message = self.message.take().filter(|_| !goes_on);
+        } else if self.ending {
+            self.answer(event);
         } else if event == TextEvent::Click(Hit::Row(self.chosen)) {
             self.started = self.program();
         } else if let Some(chosen) = chosen_after(&self.rows(), self.chosen, event) {
@@ -263,8 +303,27 @@ mod tests {
         assert_eq!(menu.typed, "gyongy");
         menu.event(TextEvent::Key(Key::Down));
         assert_eq!((chosen(&menu), menu.typed.as_str()), ("csango_k", ""));
-        menu.event(TextEvent::Key(Key::Esc));
-        assert_eq!(menu.doing(), Doing::Ended);
+    }
+
+    #[test]
+    fn the_end_is_asked_for() {
+        let after = |events: &[TextEvent]| {
+            let mut menu = TextMenu::new(Language::English);
+            events.iter().for_each(|event| menu.event(*event));
+            (menu.doing(), menu.page().overlay.is_some())
+        };
+        let key = TextEvent::Key;
+        assert_eq!(after(&[key(Key::Esc)]), (Doing::Waiting, true));
+        for yes in
+            [key(Key::Char('y')), key(Key::Char('I')), TextEvent::Click(Hit::Answer(0)), TextEvent::Close]
+        {
+            assert_eq!(after(&[key(Key::Esc), yes]).0, Doing::Ended);
+        }
+        for no in [key(Key::Char('n')), key(Key::Esc), TextEvent::Click(Hit::Answer(1))] {
+            assert_eq!(after(&[key(Key::Esc), no]), (Doing::Waiting, false));
+        }
+        // Whatever is typed in the list only searches.
+        assert_eq!(after(&[key(Key::Char('q')), key(Key::Char('Q'))]).0, Doing::Waiting);
     }
 
     #[test]

@@ -22,7 +22,9 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
             } else if used > 0 {
                 lines.push(String::new());
             } else {
-                line.extend(word.drain(..width));
+                // A word that is longer than a line is broken behind a hyphen, or anywhere.
+                let hyphen = word.iter().take(width).rposition(|letter| *letter == '-');
+                line.extend(word.drain(..hyphen.map_or(width, |at| at + 1)));
             }
         }
     }

@@ -1,8 +1,8 @@
 //! The options that every program takes.
 
-use super::{TableArgs, config};
+use super::{TableArgs, config, say};
 use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
-use crate::machine::{Language, Machine, Manner, Preferences, Script, Settings, Shown};
+use crate::machine::{Keeper, Language, Machine, Manner, Preferences, Script, Settings, Shown};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -99,6 +99,17 @@ impl RunOptions {
         RunOptions { lang: Some(Code::of(language)), ..self.clone() }
     }
 
+    /// These options with a language that the user has chosen and prefers from now on. A file that cannot be written keeps
+    /// nobody from going on.
+    #[must_use]
+    pub fn preferring(&self, language: Language) -> RunOptions {
+        let preferences = self.preferences.clone().map(|it| Preferences { language: Some(language), ..it });
+        if let Some(Err(problem)) = preferences.as_ref().map(|it| ConfigFile.keep(it)) {
+            say("grafika", &problem);
+        }
+        RunOptions { preferences, ..self.in_language(language) }
+    }
+
     /// These options, completed by the user's preferences. A script ignores these, so that it plays alike everywhere.
     #[must_use]
     pub fn preferred(&self) -> RunOptions {
@@ -149,7 +160,7 @@ impl RunOptions {
             None => machine,
         };
         match &self.preferences {
-            Some(preferences) => machine.with_preferences(preferences.clone(), ConfigFile),
+            Some(preferences) => machine.with_preferences(preferences.clone(), ConfigFile, locale_language()),
             None => machine,
         }
     }

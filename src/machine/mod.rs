@@ -39,7 +39,7 @@ mod storage;
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
 pub use port::Wait;
-pub use preferences::{Keeper, PointerSpeed, Preference, Preferences, Shown};
+pub use preferences::{Cloth, Keeper, Look, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
 pub use samples::{SAMPLES, sample};
@@ -158,6 +158,8 @@ pub struct Machine {
     files: Files,
     recovery: Option<Box<dyn Recovery>>,
     keeper: Option<Box<dyn Keeper>>,
+    /// The language of the environment, which counts where none is preferred.
+    usual_language: Language,
     file: Option<String>,
     seed: u64,
     film: Option<Film>,
@@ -198,6 +200,7 @@ impl Machine {
             files: Files::new(storage),
             recovery: None,
             keeper: None,
+            usual_language: settings.language,
             file: None,
             seed: settings.seed,
             film: None,
@@ -212,11 +215,18 @@ impl Machine {
         self
     }
 
-    /// The machine with the user's preferences and the place where changes to them are kept.
+    /// The machine with the user's preferences, the place where changes to them are kept, and the language of the
+    /// environment.
     #[must_use]
-    pub fn with_preferences(mut self, preferences: Preferences, keeper: impl Keeper + 'static) -> Machine {
+    pub fn with_preferences(
+        mut self,
+        preferences: Preferences,
+        keeper: impl Keeper + 'static,
+        usual_language: Language,
+    ) -> Machine {
         self.port.borrow_mut().preferences = preferences;
         self.keeper = Some(Box::new(keeper));
+        self.usual_language = usual_language;
         self
     }
 
@@ -302,13 +312,14 @@ impl Machine {
         self.port.borrow().preferences.clone()
     }
 
-    /// Changes what the user has chosen: colours, language and manner at once, the rest at the next start.
+    /// Changes what the user has chosen: what can change at once does (language, manner, colours, the look of the
+    /// window), the rest at the next start. What is as it was stays as the program was started with.
     ///
     /// # Errors
     /// Why it cannot be kept; it counts until the program ends.
     pub fn set_preferences(&mut self, preferences: Preferences) -> Result<(), String> {
-        if let Some(language) = preferences.language {
-            self.set_language(language);
+        if preferences.language != self.preferences().language {
+            self.set_language(preferences.language.unwrap_or(self.usual_language));
         }
         let kept = self.keeper.as_mut().map_or(Ok(()), |keeper| keeper.keep(&preferences));
         let mut port = self.port.borrow_mut();
@@ -316,6 +327,18 @@ impl Machine {
             port.manner = preferences.manner;
         }
         port.preferences = preferences;
+        kept
+    }
+
+    /// Changes the language of the texts to the other one, as the user prefers it from now on.
+    ///
+    /// # Errors
+    /// Those of [`Machine::set_preferences`].
+    pub fn prefer_other_language(&mut self) -> Result<(), String> {
+        let language = self.language().other();
+        let kept = self.set_preferences(Preferences { language: Some(language), ..self.preferences() });
+        // The program may have been started in another language than the preferred one.
+        self.set_language(language);
         kept
     }
 

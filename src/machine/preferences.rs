@@ -15,8 +15,12 @@ pub struct Preferences {
     pub scale: Option<u32>,
     /// How programs behave; scripts have their own default.
     pub manner: Manner,
+    /// How the picture fills the window.
+    pub look: Look,
     /// How the colours look.
     pub palette: Palette,
+    /// The cloth of the billiard table.
+    pub cloth: Cloth,
     /// How many letters Ctrl with an arrow key moves the mouse in the terminal, 1 to 8.
     pub pointer_speed: PointerSpeed,
     /// The folder of programs that were started without a file.
@@ -30,7 +34,9 @@ impl Default for Preferences {
             display: None,
             scale: None,
             manner: Manner::Today,
+            look: Look::default(),
             palette: Palette::default(),
+            cloth: Cloth::default(),
             pointer_speed: PointerSpeed::default(),
             folder: None,
         }
@@ -44,6 +50,66 @@ pub enum Shown {
     Window,
     /// In the terminal.
     Terminal,
+}
+
+/// How a window shows the picture that it is larger than.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Look {
+    /// Magnified by a whole number: every pixel is a sharp square, with margins around all.
+    #[default]
+    Sharp,
+    /// As large as it fits, with pixels whose edges are mixed where they fall between those of the window.
+    Fill,
+    /// As large as it fits, with the soft pixels and dark gaps between lines of a picture tube.
+    Crt,
+}
+
+impl Look {
+    /// The name of the look as a setting.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Look::Sharp => "sharp",
+            Look::Fill => "fill",
+            Look::Crt => "crt",
+        }
+    }
+
+    /// The look of a name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Look> {
+        [Look::Sharp, Look::Fill, Look::Crt].into_iter().find(|look| look.name() == name)
+    }
+}
+
+/// The colour of the cloth on the billiard table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cloth {
+    /// As in 1997.
+    #[default]
+    White,
+    /// As in a hall.
+    Green,
+    /// As at a tournament.
+    Blue,
+}
+
+impl Cloth {
+    /// The name of the cloth as a setting.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Cloth::White => "white",
+            Cloth::Green => "green",
+            Cloth::Blue => "blue",
+        }
+    }
+
+    /// The cloth of a name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Cloth> {
+        [Cloth::White, Cloth::Green, Cloth::Blue].into_iter().find(|cloth| cloth.name() == name)
+    }
 }
 
 /// How far a key moves the mouse, in letters.
@@ -71,8 +137,10 @@ pub enum Preference {
     Language,
     Display,
     Scale,
+    Look,
     Manner,
     Palette,
+    Cloth,
     PointerSpeed,
     Folder,
 }
@@ -84,6 +152,8 @@ const SPEEDS: [&str; 5] = ["1", "2", "3", "4", "8"];
 const LANGUAGES: [&str; 3] = [AUTO, "hu", "en"];
 const DISPLAYS: [&str; 3] = [AUTO, "window", "terminal"];
 const MANNERS: [&str; 2] = [Manner::Today.name(), Manner::Original.name()];
+const LOOKS: [&str; 3] = [Look::Sharp.name(), Look::Fill.name(), Look::Crt.name()];
+const CLOTHS: [&str; 3] = [Cloth::White.name(), Cloth::Green.name(), Cloth::Blue.name()];
 const PALETTES: [&str; 5] = [
     Palette::Vga.name(),
     Palette::Amber.name(),
@@ -94,12 +164,14 @@ const PALETTES: [&str; 5] = [
 
 impl Preference {
     /// Everything, in the order of the settings page.
-    pub const ALL: [Preference; 7] = [
+    pub const ALL: [Preference; 9] = [
         Preference::Language,
         Preference::Display,
         Preference::Scale,
+        Preference::Look,
         Preference::Manner,
         Preference::Palette,
+        Preference::Cloth,
         Preference::PointerSpeed,
         Preference::Folder,
     ];
@@ -111,8 +183,10 @@ impl Preference {
             Preference::Language => "language",
             Preference::Display => "display",
             Preference::Scale => "scale",
+            Preference::Look => "look",
             Preference::Manner => "manner",
             Preference::Palette => "palette",
+            Preference::Cloth => "cloth",
             Preference::PointerSpeed => "pointer_speed",
             Preference::Folder => "folder",
         }
@@ -131,8 +205,10 @@ impl Preference {
             Preference::Language => &LANGUAGES,
             Preference::Display => &DISPLAYS,
             Preference::Scale => &SCALES,
+            Preference::Look => &LOOKS,
             Preference::Manner => &MANNERS,
             Preference::Palette => &PALETTES,
+            Preference::Cloth => &CLOTHS,
             Preference::PointerSpeed => &SPEEDS,
             Preference::Folder => &[],
         }
@@ -152,8 +228,10 @@ impl Preferences {
             }
             .to_string(),
             Preference::Scale => self.scale.map_or(AUTO.to_string(), |scale| scale.to_string()),
+            Preference::Look => self.look.name().to_string(),
             Preference::Manner => self.manner.name().to_string(),
             Preference::Palette => self.palette.name().to_string(),
+            Preference::Cloth => self.cloth.name().to_string(),
             Preference::PointerSpeed => self.pointer_speed.0.to_string(),
             Preference::Folder => self.folder.clone().unwrap_or_default(),
         }
@@ -186,8 +264,10 @@ impl Preferences {
             }
             Preference::Scale if value == AUTO => self.scale = None,
             Preference::Scale => self.scale = Some(number(16)?),
+            Preference::Look => self.look = Look::from_name(value).ok_or_else(wrong)?,
             Preference::Manner => self.manner = Manner::from_name(value).ok_or_else(wrong)?,
             Preference::Palette => self.palette = Palette::from_name(value).ok_or_else(wrong)?,
+            Preference::Cloth => self.cloth = Cloth::from_name(value).ok_or_else(wrong)?,
             Preference::PointerSpeed => self.pointer_speed = PointerSpeed(number(8)? as u8),
             Preference::Folder => self.folder = Some(value.to_string()).filter(|folder| !folder.is_empty()),
         }

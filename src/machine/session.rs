@@ -6,7 +6,7 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Asked, Language, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
+use super::{Asked, Language, Look, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH, visible};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
@@ -136,7 +136,12 @@ impl Session {
         self.port.borrow().preferences.palette
     }
 
-    /// The distance by which keys move the mouse.
+    /// How a window is to show the picture.
+    pub fn look(&self) -> Look {
+        self.port.borrow().preferences.look
+    }
+
+    /// How far keys move the mouse.
     pub fn pointer_speed(&self) -> PointerSpeed {
         self.port.borrow().preferences.pointer_speed
     }

@@ -1,6 +1,6 @@
 //! What a shot will hit first, for the aiming line.
 
-use super::collide::{hit_balls, hit_wall, minus, moved, time_to_touch, time_to_wall};
+use super::collide::{SAME_MOMENT, hit_together, hit_wall, minus, moved, time_to_touch, time_to_wall};
 use super::{Ball, STEP, Table, Vector, Wall};
 use serde::Serialize;
 
@@ -14,16 +14,16 @@ pub enum Obstacle {
 }
 
 /// The straight part of a shot.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
     /// The ball's centre where it hits something or comes to rest.
     pub at: Vector,
-    /// What it hits; `None` if it comes to rest before.
+    /// What it hits, the first of several balls; `None` if it comes to rest before.
     pub obstacle: Option<Obstacle>,
     /// Its velocity after the hit.
     pub after: Vector,
-    /// The velocity of the ball that is hit; zero if there is none.
-    pub passed_on: Vector,
+    /// The balls that are hit, by their indices, and their velocities after it.
+    pub passed_on: Vec<(usize, Vector)>,
 }
 
 impl Table {
@@ -36,36 +36,39 @@ impl Table {
         let start = *shot.balls.get(ball)?;
         // Along the way all is as if the first velocity went on for a shorter time.
         let reach = self.reach(&start);
-        let mut first = time_to_wall(&self.field, start.at, velocity, reach)
-            .map(|(time, wall)| (time, Obstacle::Wall(wall)));
-        for (index, other) in self.balls.iter().enumerate().filter(|(index, _)| *index != ball) {
+        let touch = |(index, other): (usize, &Ball)| {
             let time = time_to_touch(minus(other.at, start.at), [-velocity[0], -velocity[1]]);
-            let nearest = first.map_or(reach, |(time, _)| time);
-            if let Some(time) = time.filter(|&time| time <= nearest) {
-                first = Some((time, Obstacle::Ball(index)));
-            }
-        }
-        let Some((time, obstacle)) = first else {
+            time.filter(|&time| index != ball && time <= reach).map(|time| (time, index))
+        };
+        let touched: Vec<(f64, usize)> = self.balls.iter().enumerate().filter_map(touch).collect();
+        let nearest = touched.iter().map(|(time, _)| *time).min_by(f64::total_cmp);
+        let wall = time_to_wall(&self.field, start.at, velocity, nearest.unwrap_or(reach));
+        let Some(time) = wall.map(|(time, _)| time).or(nearest) else {
             let at = moved(start.at, velocity, reach);
-            return Some(Prediction { at, obstacle: None, after: [0.0; 2], passed_on: [0.0; 2] });
+            return Some(Prediction { at, obstacle: None, after: [0.0; 2], passed_on: Vec::new() });
         };
         let left = self.speed_left(time);
-        let mut own = Ball {
-            at: moved(start.at, velocity, time),
-            velocity: velocity.map(|v| v * left),
-            spin: spin * left,
-        };
-        let at = own.at;
-        let mut passed_on = [0.0; 2];
-        match obstacle {
-            Obstacle::Wall(wall) => hit_wall(&self.field, &mut own, wall, self.cloth.surface),
-            Obstacle::Ball(index) => {
-                let mut other = Ball { at: self.balls.get(index)?.at, ..Ball::default() };
-                hit_balls(&mut own, &mut other, self.cloth.surface);
-                passed_on = other.velocity;
+        let at = moved(start.at, velocity, time);
+        let mut balls = vec![Ball { at, velocity: velocity.map(|v| v * left), spin: spin * left }];
+        let mut passed_on = Vec::new();
+        let obstacle = match wall {
+            Some((_, wall)) => {
+                hit_wall(&self.field, balls.first_mut()?, wall, self.cloth.surface);
+                Obstacle::Wall(wall)
             }
-        }
-        Some(Prediction { at, obstacle: Some(obstacle), after: own.velocity, passed_on })
+            None => {
+                let together = touched.iter().filter(|(touch, _)| *touch <= time + SAME_MOMENT);
+                let hit: Vec<usize> = together.map(|(_, index)| *index).collect();
+                balls.extend(
+                    hit.iter().filter_map(|&index| self.balls.get(index)).map(|it| Ball::resting(it.at)),
+                );
+                let pairs: Vec<[usize; 2]> = (1..balls.len()).map(|other| [0, other]).collect();
+                hit_together(&mut balls, &pairs, self.cloth.surface);
+                passed_on = hit.iter().copied().zip(balls.iter().skip(1).map(|it| it.velocity)).collect();
+                Obstacle::Ball(*hit.first()?)
+            }
+        };
+        Some(Prediction { at, obstacle: Some(obstacle), after: balls.first()?.velocity, passed_on })
     }
 
     /// For how many seconds of its first velocity a ball rolls until the stop rule ends it: the sum of

@@ -5,16 +5,17 @@
 //! square. The hits found wait in a queue; the earliest one is carried out, which makes what was found for
 //! its balls void, and their new ways are entered and compared again.
 //!
-//! Hits at the very same time are carried out in the order of the balls' numbers. Pairs of touching balls in
-//! a cluster are hit one after the other until none approaches another, which ends after finitely many hits.
+//! Hits of balls at the same moment are solved together where they have a ball in common, so that what is symmetric
+//! stays symmetric. What these hits pass on in a cluster of touching balls is hit next, until no ball approaches
+//! another, which ends after finitely many hits.
 //! Should rounding ever make a cluster rattle on, the step ends early, with nothing lost but its remaining
 //! time.
 
 use super::aim::Obstacle;
-use super::collide::{hit_balls, hit_wall, minus, moved, time_to_touch, time_to_wall};
+use super::collide::{SAME_MOMENT, hit_together, hit_wall, minus, moved, time_to_touch, time_to_wall};
 use super::{Ball, Field, Hit, RADIUS, Surface, Vector, Wall};
 use std::cmp::{Ordering, Reverse};
-use std::collections::BinaryHeap;
+use std::collections::{BTreeSet, BinaryHeap};
 
 /// Up to so many balls, comparing all is faster than looking into cells.
 const FEW: usize = 24;
@@ -42,12 +43,27 @@ pub(super) fn roll(
         if !sweep.is_valid(&event) {
             continue;
         }
-        if hits == most {
+        if hits >= most {
             end = event.time;
             break;
         }
-        hits += 1;
-        seen(sweep.carry_out(&event, surface));
+        match event.other {
+            Other::Wall(wall) => {
+                hits += 1;
+                sweep.hit_wall(event.time, event.ball, wall, surface);
+                seen(Hit { time: event.time, ball: event.ball, obstacle: Obstacle::Wall(wall) });
+            }
+            Other::Ball { ball, .. } => {
+                let pairs = sweep.pairs_at_the_moment(event.time, [event.ball, ball]);
+                for pairs in connected(pairs) {
+                    hits += pairs.len();
+                    sweep.hit_balls(event.time, &pairs, surface);
+                    pairs.iter().for_each(|&[ball, other]| {
+                        seen(Hit { time: event.time, ball, obstacle: Obstacle::Ball(other) });
+                    });
+                }
+            }
+        }
     }
     sweep.finish(end);
 }
@@ -196,25 +212,43 @@ impl<'a> Sweep<'a> {
         track.version = track.version.wrapping_add(1);
     }
 
-    fn carry_out(&mut self, event: &Event, surface: Surface) -> Hit {
-        let (now, ball) = (event.time, event.ball);
+    /// All pairs of balls that hit each other at the moment of a first one.
+    fn pairs_at_the_moment(&mut self, time: f64, first: [usize; 2]) -> Vec<[usize; 2]> {
+        let mut pairs = vec![first];
+        let mut walls = Vec::new();
+        while let Some(Reverse(event)) = self.queue.peek().copied()
+            && event.time <= time + SAME_MOMENT
+        {
+            self.queue.pop();
+            match event.other {
+                _ if !self.is_valid(&event) => {}
+                Other::Wall(_) => walls.push(Reverse(event)),
+                // A pair may have been foreseen from both sides.
+                Other::Ball { ball, .. } if pairs.contains(&[event.ball, ball]) => {}
+                Other::Ball { ball, .. } => pairs.push([event.ball, ball]),
+            }
+        }
+        self.queue.extend(walls);
+        pairs
+    }
+
+    /// Carries out hits of balls at the same moment.
+    fn hit_balls(&mut self, now: f64, pairs: &[[usize; 2]], surface: Surface) {
+        let balls: BTreeSet<usize> = pairs.iter().flatten().copied().collect();
+        let numbers: Vec<usize> = balls.into_iter().collect();
+        numbers.iter().for_each(|&ball| self.bring(ball, now));
+        let mut hit: Vec<Ball> = numbers.iter().map(|&ball| self.balls[ball]).collect();
+        let place = |ball: usize| numbers.partition_point(|&number| number < ball);
+        let pairs: Vec<[usize; 2]> = pairs.iter().map(|pair| pair.map(place)).collect();
+        hit_together(&mut hit, &pairs, surface);
+        numbers.iter().zip(hit).for_each(|(&ball, hit)| self.balls[ball] = hit);
+        numbers.iter().rev().for_each(|&ball| self.foresee(ball, now));
+    }
+
+    fn hit_wall(&mut self, now: f64, ball: usize, wall: Wall, surface: Surface) {
         self.bring(ball, now);
-        let obstacle = match event.other {
-            Other::Wall(wall) => {
-                hit_wall(self.field, &mut self.balls[ball], wall, surface);
-                Obstacle::Wall(wall)
-            }
-            Other::Ball { ball: other, .. } => {
-                self.bring(other, now);
-                // An event's second ball has the larger number.
-                let (low, high) = self.balls.split_at_mut(other);
-                hit_balls(&mut low[ball], &mut high[0], surface);
-                self.foresee(other, now);
-                Obstacle::Ball(other)
-            }
-        };
+        hit_wall(self.field, &mut self.balls[ball], wall, surface);
         self.foresee(ball, now);
-        Hit { time: now, ball, obstacle }
     }
 
     /// Brings all balls to the end of the step.
@@ -225,6 +259,27 @@ impl<'a> Sweep<'a> {
             ball.at = [0, 1].map(|axis| at[axis].clamp(self.field.min[axis], self.field.max[axis]));
         }
     }
+}
+
+/// The pairs in groups that have no ball in common with another group.
+fn connected(mut pairs: Vec<[usize; 2]>) -> Vec<Vec<[usize; 2]>> {
+    let mut groups = Vec::new();
+    while let Some(first) = pairs.first().copied() {
+        let mut balls = BTreeSet::from(first);
+        let mut group = Vec::new();
+        loop {
+            let near = |pair: &[usize; 2]| pair.iter().any(|ball| balls.contains(ball));
+            let (joined, rest): (Vec<_>, Vec<_>) = pairs.into_iter().partition(near);
+            pairs = rest;
+            if joined.is_empty() {
+                break;
+            }
+            balls.extend(joined.iter().flatten());
+            group.extend(joined);
+        }
+        groups.push(group);
+    }
+    groups
 }
 
 /// One ball in the list of a cell.

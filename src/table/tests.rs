@@ -128,6 +128,93 @@ fn a_row_of_touching_balls_passes_the_hit_on_within_one_step() {
     assert_eq!(table.balls()[9].velocity, [300.0, 0.0]);
 }
 
+/// The picture of a ball in a mirror through the middle of the table, which is horizontal.
+fn mirrored(ball: &Ball) -> Ball {
+    let [[x, y], [vx, vy]] = [ball.at, ball.velocity];
+    Ball { at: [x, 2.0 * 240.0 - y], velocity: [vx, -vy], spin: -ball.spin }
+}
+
+#[test]
+fn a_ball_between_two_touching_ones_sends_them_off_symmetrically() {
+    let pair = [ball([300.0, 232.0], [0.0; 2]), ball([300.0, 248.0], [0.0; 2])];
+    for surface in [Surface::Smooth, Surface::Rough] {
+        // Whatever the order of the balls' numbers.
+        for at in 0..3 {
+            let mut balls = pair.to_vec();
+            balls.insert(at, ball([270.0, 240.0], [600.0, 0.0]));
+            let mut table = table(Cloth { surface, ..SLIDING }, &balls);
+            let foretold = table.first_hit(at, [600.0, 0.0], 0.0).unwrap();
+            assert_eq!(check_steps(&mut table, 2), 2);
+            let shot = table.balls()[at];
+            assert!(shot.velocity[1].abs() < 1e-12 && shot.spin.abs() < 1e-12, "{shot:?}");
+            let [one, other] = [(at + 1) % 3, (at + 2) % 3].map(|ball| table.balls()[ball]);
+            let image = mirrored(&other);
+            assert!(distance(&one, &image) < 1e-11 && (one.spin - image.spin).abs() < 1e-12);
+            assert!(one.velocity[0] > 300.0 && (one.velocity[0] - image.velocity[0]).abs() < 1e-11);
+            // The aiming line shows both.
+            assert_eq!(foretold.passed_on.len(), 2);
+            for (ball, velocity) in foretold.passed_on {
+                for (foretold, now) in velocity.into_iter().zip(table.balls()[ball].velocity) {
+                    assert!((foretold - now).abs() < 1e-9);
+                }
+            }
+            assert!((foretold.after[0] - shot.velocity[0]).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn smooth_balls_hit_at_once_leave_along_their_lines_of_centres() {
+    let h = 8.0 * 3f64.sqrt();
+    let mut table = table(
+        SLIDING,
+        &[
+            ball([300.0 - h, 240.0], [500.0, 0.0]),
+            ball([300.0, 232.0], [0.0; 2]),
+            ball([300.0, 248.0], [0.0; 2]),
+        ],
+    );
+    check_steps(&mut table, 1);
+    // By energy and momentum: the shot ball comes back with a fifth of its speed.
+    let [shot, up, down] = [0, 1, 2].map(|ball| table.balls()[ball].velocity);
+    assert!((shot[0] + 100.0).abs() < 1e-9 && (up[0] - 300.0).abs() < 1e-9 && (down[0] - 300.0).abs() < 1e-9);
+    assert!((up[1] + 100.0 * 3f64.sqrt()).abs() < 1e-9 && (down[1] + up[1]).abs() < 1e-9);
+}
+
+#[test]
+fn a_straight_break_begins_symmetrically() {
+    let images = [(0, 0), (1, 1), (2, 3), (4, 6), (5, 5), (7, 10), (8, 9)];
+    let mut table = break_shot([300.0, 0.0]);
+    let mut hits = 0;
+    while hits < 4 {
+        table.step_seeing(|_| hits += 1);
+        for (ball, image) in images {
+            let [ball, image] = [table.balls()[ball], mirrored(&table.balls()[image])];
+            assert!(distance(&ball, &image) < 1e-9, "{ball:?} {image:?}");
+        }
+    }
+}
+
+#[test]
+fn a_loop_of_touching_balls_hit_from_all_sides_at_once_stays_regular() {
+    // Seven balls in a hexagon; six come along its spokes. More contacts than directions that balls can move in.
+    let around = |radius: f64| {
+        (0..6).map(move |spoke| {
+            let (sin, cos) = (f64::from(spoke) * std::f64::consts::FRAC_PI_3).sin_cos();
+            ([320.0 + radius * cos, 240.0 + radius * sin], [-400.0 * cos, -400.0 * sin])
+        })
+    };
+    let mut balls = vec![ball([320.0, 240.0], [0.0; 2])];
+    balls.extend(around(16.0 + 1e-10).map(|(at, _)| ball(at, [0.0; 2])));
+    balls.extend(around(36.0).map(|(at, velocity)| ball(at, velocity)));
+    let mut table = table(SLIDING, &balls);
+    check_steps(&mut table, 3);
+    let center = table.balls()[0];
+    assert!(distance(&center, &balls[0]) < 1e-6, "{center:?}");
+    let far: Vec<f64> = table.balls()[7..].iter().map(|ball| distance(ball, &center)).collect();
+    assert!(far.iter().all(|it| (it - far[0]).abs() < 1e-6), "{far:?}");
+}
+
 #[test]
 fn clusters_hit_from_both_sides_at_once_come_to_an_end() {
     // A full hexagon of touching balls; three are shot at it at the same time.

@@ -221,7 +221,7 @@ impl Page {
             let line = Rect { y, height: 1, ..list };
             let style = if chosen { CHOSEN } else { style };
             cells.set_style(line, style);
-            let shown = format!("{mark}{text}");
+            let shown = cut(format!("{mark}{text}"), room(line));
             cells.set_stringn(line.x + 1, y, shown, room(line), style);
         }
         self.draw_scrollers(frame, list, cells);
@@ -264,6 +264,14 @@ impl Page {
 /// The number of letters in a line of an area, one column from its left edge.
 fn room(area: Rect) -> usize {
     usize::from(area.width.saturating_sub(1))
+}
+
+/// A text without what there is no room for.
+fn cut(text: String, room: usize) -> String {
+    match usize::from(width(&text)) > room {
+        true => text.chars().take(room.saturating_sub(1)).chain(['…']).collect(),
+        false => text,
+    }
 }
 
 fn width(text: &str) -> u16 {

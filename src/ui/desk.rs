@@ -5,7 +5,7 @@ use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
 use crate::figure::{Figure, wrap};
-use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Tick};
+use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Preference, Preferences, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::pin::Pin;
 use std::time::Duration;
@@ -141,8 +141,8 @@ impl<'m> Desk<'m> {
         self.manual.name
     }
 
-    /// Draws the picture and sleeps until an event for the program. Handles F1 (help), F2 (language), F9 (settings),
-    /// F10 (figure), F12 (picture of the screen) and Ctrl+F12 (film) itself.
+    /// Draws the picture and sleeps until an event for the program. F1 (help), F2 (language), F9 (settings), F10 (figure),
+    /// Ctrl+F11 (look of the window), F12 (picture of the screen) and Ctrl+F12 (film) are handled here.
     ///
     /// # Errors
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
@@ -197,7 +197,8 @@ impl<'m> Desk<'m> {
             self.forget_notice(&tick);
             match tick.key() {
                 Some(Key::F(1)) => self.help().await?,
-                Some(Key::F(2)) => self.machine.set_language(self.machine.language().other()),
+                Some(Key::F(2)) => self.change_language(),
+                Some(Key::CtrlF(11)) => self.prefer(|it| it.turn(Preference::Look, true)),
                 Some(Key::F(9)) if !self.aside => self.change_settings(picture).await?,
                 Some(Key::F(10)) if !self.aside => self.save_figure(picture).await?,
                 Some(Key::F(12)) => self.keep_picture(),
@@ -205,6 +206,26 @@ impl<'m> Desk<'m> {
                 None if tick.event.is_none() && !due => {}
                 _ => return Ok(tick),
             }
+        }
+    }
+
+    /// The key F2: the other language, now and at the next start.
+    fn change_language(&mut self) {
+        let kept = self.machine.prefer_other_language();
+        self.tell_if_not_kept(kept);
+    }
+
+    /// Changes what the user has chosen for all programs.
+    pub fn prefer(&mut self, change: impl FnOnce(&mut Preferences)) {
+        let mut preferences = self.machine.preferences();
+        change(&mut preferences);
+        let kept = self.machine.set_preferences(preferences);
+        self.tell_if_not_kept(kept);
+    }
+
+    fn tell_if_not_kept(&mut self, kept: Result<(), String>) {
+        if let Err(problem) = kept {
+            self.tell(Phrase::plain(&problem), Stay::UntilRead);
         }
     }
 
@@ -301,7 +322,8 @@ impl<'m> Desk<'m> {
             self.film_screen();
             let tick = self.machine.event().await?;
             match tick.key() {
-                Some(Key::F(2)) => self.machine.set_language(language.other()),
+                Some(Key::F(2)) => self.change_language(),
+                Some(Key::CtrlF(11)) => self.prefer(|it| it.turn(Preference::Look, true)),
                 Some(Key::CtrlF(12)) => {
                     self.switch_film();
                     return Ok(());
@@ -321,6 +343,7 @@ const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F9", "F9"), words::HELP_SETTINGS),
     (Words("F10", "F10"), words::HELP_FIGURE),
     (Words("F11", "F11"), words::HELP_LARGEST),
+    (Words("Ctrl+F11", "Ctrl+F11"), words::HELP_LOOK),
     (Words("F12", "F12"), words::HELP_PICTURE),
     (Words("Ctrl+F12", "Ctrl+F12"), words::HELP_FILM),
     (Words("Esc", "Esc"), words::HELP_ESC),

@@ -139,6 +139,10 @@ impl<M> Panel<M> {
             }
             screen.text(x1 + 16, area.y1 + 6, name.of(language), Color::Black);
             screen.text(x1 + VALUES, area.y1 + 6, &value, Color::Blue);
+            if let (Row::Choice { .. }, true) = (row, index == self.chosen[1]) {
+                screen.text(x1 + VALUES - 16, area.y1 + 6, "<", Color::LightRed);
+                screen.text(x2 - 28, area.y1 + 6, ">", Color::LightRed);
+            }
         }
         screen.text(x1 + 16, y2 - 30, self.keys.of(language), Color::Black);
     }
@@ -175,7 +179,13 @@ impl<M> Panel<M> {
             let (index, ..) = hit.filter(|_| tab.is_none())?;
             let again = index == self.chosen[1];
             self.chosen[1] = index;
-            return again.then_some(true);
+            let value = x - self.area.x1 - VALUES;
+            return match self.rows().get(index) {
+                // Left of a choice turns it back, the choice itself and what is right of it forward.
+                Some(Row::Choice { .. }) if value >= -24 => Some(value >= -4),
+                Some(Row::Button(_)) => Some(true),
+                _ => again.then_some(true),
+            };
         }
         match tick.key()? {
             Key::Up => self.step(count - 1),
@@ -275,6 +285,20 @@ mod tests {
 
     /// The model after keys, the row of the button that was pressed last, and a pixel of the preview.
     fn after(keys: &str) -> (Vec<f64>, Option<usize>, Option<Color>) {
+        let key = |key| match key {
+            '>' => Key::Right,
+            '<' => Key::Left,
+            'v' => Key::Down,
+            't' => Key::Tab,
+            'e' => Key::Enter,
+            'b' => Key::Backspace,
+            'x' => Key::Esc,
+            digit => Key::Char(digit),
+        };
+        after_events(keys.chars().map(key).map(Event::Key))
+    }
+
+    fn after_events(events: impl Iterator<Item = Event>) -> (Vec<f64>, Option<usize>, Option<Color>) {
         let manual = Manual { name: "panel", about: NAME, intro: Words("", ""), keys: &[], lesson: &[] };
         let machine = Machine::new(Box::new(Memory::default()), Settings::default());
         let mut session = Session::start(machine, move |mut machine| async move {
@@ -297,19 +321,7 @@ mod tests {
                 }
             }
         });
-        for key in keys.chars() {
-            let key = match key {
-                '>' => Key::Right,
-                '<' => Key::Left,
-                'v' => Key::Down,
-                't' => Key::Tab,
-                'e' => Key::Enter,
-                'b' => Key::Backspace,
-                'x' => Key::Esc,
-                digit => Key::Char(digit),
-            };
-            session.send(Event::Key(key), Duration::ZERO);
-        }
+        events.for_each(|event| session.send(event, Duration::ZERO));
         let preview = session.screen().pixel(104, 180);
         let model = session.model().unwrap().unwrap();
         let (values, pressed): (Vec<f64>, Option<usize>) = serde_json::from_str(&model).unwrap();
@@ -331,6 +343,23 @@ mod tests {
         assert_eq!(after("t>x>").0, [5.0, 1.0]);
         assert_eq!(after("tv<").1, None);
         assert_eq!(after("<7").0, [5.0, 0.0]);
+    }
+
+    #[test]
+    fn clicks_choose_rows_and_turn_values_either_way() {
+        let click = |x, y| [Event::Move(x, y), Event::Press(crate::machine::Button::Left)];
+        // The second tab: a choice in its first row, a button in the second.
+        let clicked = |places: &[(i32, i32)]| {
+            let tab = [Event::Key(Key::Tab), Event::Key(Key::Down)];
+            after_events(tab.into_iter().chain(places.iter().flat_map(|&(x, y)| click(x, y))))
+        };
+        let (left, value, right) = ((88 + 232 - 12, 164), (88 + 236, 164), (530, 164));
+        assert_eq!(clicked(&[value]).0[1], 1.0);
+        assert_eq!(clicked(&[right, right, left]).0[1], 1.0);
+        assert_eq!(clicked(&[left]).0[1], -1.0);
+        // The name only chooses the row.
+        assert_eq!(clicked(&[(110, 164)]).0[1], 0.0);
+        assert_eq!(clicked(&[(110, 184)]).1, Some(1));
     }
 
     #[test]

@@ -2,44 +2,53 @@
 
 use super::desk::{Desk, Picture};
 use super::frame::Area;
-use super::notice::Stay;
-use super::panel::{Panel, Row, Tab};
-use super::words::{self, Phrase, Words};
+use super::panel::{Done, Panel, Row, Tab};
+use super::words::{self, Words};
 use crate::machine::{Asked, Asking, Language, Preference, Preferences};
 use crate::screen::{Color, Screen};
 
 /// Where the page lies.
-const PAGE: Area = Area::new(88, 110, 551, 355);
+const PAGE: Area = Area::new(88, 70, 551, 395);
 /// Letters of a value that the page has room for.
 const ROOM: usize = 27;
 const fn name(preference: Preference) -> Words {
     match preference {
         Preference::Language => Words("Nyelv", "Language"),
         Preference::Display => Words("Megjelenítés", "Display"),
-        Preference::Scale => Words("Az ablak nagyítása", "Window scale"),
+        Preference::Scale => Words("Az ablak mérete", "Window size"),
+        Preference::Look => Words("Az ablak képe", "Window look"),
         Preference::Manner => Words("Viselkedés", "Behaviour"),
         Preference::Palette => Words("Színek", "Colours"),
-        Preference::PointerSpeed => Words("Egérlépés (karakter)", "Mouse step (characters)"),
-        Preference::Folder => Words("A fájlok mappája", "Folder for files"),
+        Preference::Cloth => Words("Biliárdposztó", "Billiard cloth"),
+        Preference::PointerSpeed => Words("Egérlépés (karakter)", "Pointer step (characters)"),
+        Preference::Folder => Words("Fájlok mappája", "Folder for files"),
     }
 }
 
 /// The text of a value on the page.
 fn shown(preference: Preference, value: &str, language: Language) -> String {
     let words = match (preference, value) {
-        (Preference::Folder, "") => Words("(ahol elindul)", "(current folder)"),
-        (_, "auto") => Words("automatikus", "automatic"),
+        (Preference::Folder, "") => Words("az aktuális mappa", "the current folder"),
+        (_, "auto") => Words("automatikus", "Automatic"),
+        (Preference::Cloth, "white") => Words("fehér", "White"),
+        (Preference::Cloth, "green") => Words("zöld", "Green"),
+        (Preference::Cloth, "blue") => Words("kék", "Blue"),
+        (Preference::Look, "sharp") => Words("éles képpontok", "Sharp pixels"),
+        (Preference::Look, "fill") => Words("kitölti az ablakot", "Fill the window"),
+        (Preference::Look, "crt") => Words("képcső", "CRT"),
         (_, "hu") => Words("magyar", "magyar"),
         (_, "en") => Words("English", "English"),
-        (_, "window") => Words("ablakban", "in a window"),
-        (_, "terminal") => Words("a terminálban", "in the terminal"),
+        (_, "window") => Words("ablakban", "Window"),
+        (_, "terminal") => Words("terminálban", "Terminal"),
         (_, "vga") => Words("VGA", "VGA"),
-        (_, "today") => Words("mai", "modern"),
-        (_, "1997") => Words("mint 1997-ben", "as in 1997"),
-        (_, "amber") => Words("borostyán", "amber"),
-        (_, "green") => Words("zöld", "green"),
-        (_, "contrast") => Words("nagy kontraszt", "high contrast"),
-        (_, "colorblind") => Words("színtévesztőknek", "colour-blind safe"),
+        (_, "today") => Words("mai", "Modern"),
+        (_, "1997") => Words("1997-es", "As in 1997"),
+        (_, "amber") => Words("borostyán", "Amber"),
+        (_, "green") => Words("zöld", "Green"),
+        (_, "contrast") => Words("nagy kontraszt", "High contrast"),
+        (_, "colorblind") => Words("színtévesztőknek", "Colour-blind safe"),
+        // A multiple of the picture's size.
+        (Preference::Scale, times) => return format!("{times}x"),
         (_, other) => {
             // The end of a long path says more than its beginning.
             let letters = other.chars().count();
@@ -84,16 +93,25 @@ impl Desk<'_> {
                 screen.bar(x, area.y1 + 13, x + 26, area.y1 + 27, color);
             }
         });
-        let rows = Preference::ALL.into_iter().map(row).chain([colors]).collect();
+        let close = Row::Button(words::SETTINGS_CLOSE);
+        let rows = Preference::ALL.into_iter().map(row).chain([colors, close]).collect();
         let tabs = vec![Tab { name: words::SETTINGS, rows }];
         let mut panel =
             Panel { area: PAGE, title: words::SETTINGS, keys: words::SETTINGS_KEYS, tabs, chosen: [0, 0] };
         let mut preferences = self.machine.preferences();
-        while self.panel(under, &mut panel, &mut preferences).await.unless_cancelled()?.is_some() {
-            if let Err(problem) = self.machine.set_preferences(preferences.clone()) {
-                self.tell(Phrase::plain(&problem), Stay::UntilRead);
+        loop {
+            match self.panel(under, &mut panel, &mut preferences).await.unless_cancelled()? {
+                // The language may have been changed by F2 meanwhile: only what was turned counts.
+                Some(Done::Changed) => {
+                    if let Some(&turned) = Preference::ALL.get(panel.chosen[1]) {
+                        let value = preferences.get(turned);
+                        self.prefer(|it| drop(it.set(turned, &value)));
+                    }
+                }
+                // The only button is that for going back.
+                Some(Done::Pressed(_)) | None => return Ok(()),
             }
+            preferences = self.machine.preferences();
         }
-        Ok(())
     }
 }

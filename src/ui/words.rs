@@ -135,14 +135,17 @@ pub(crate) const HELP_FIGURE: Words = Words("ábra mentése: SVG, PNG, PDF", "sa
 pub(crate) const HELP_FILM: Words = Words("film (GIF) indítása, leállítása", "film (GIF): start, stop");
 pub(crate) const HELP_UNDO: Words = Words("visszavonás, újra", "undo, redo");
 // The settings page.
-pub(crate) const SETTINGS: Words = Words("Beállítások minden programhoz", "Settings for all programs");
+pub(crate) const SETTINGS: Words = Words("Minden program beállításai", "Settings for all programs");
 pub(crate) const SETTINGS_KEYS: Words =
-    Words("Fel, Le; Bal, Jobb: változtat; Esc: vissza", "Up, Down; Left, Right: change; Esc: back");
+    Words("Fel Le: sor   Bal Jobb: érték   Esc: vissza", "Up Down: row   Left Right: value   Esc: back");
+pub(crate) const SETTINGS_CLOSE: Words = Words("Vissza", "Back");
 pub(crate) const FOLDER_ENTRY: Words = Words("Mappa:", "Folder:");
 
 pub(crate) const HELP_HELP: Words = Words("ez a lap", "this page");
 pub(crate) const HELP_LANGUAGE: Words = Words("nyelv: magyar, angol", "language: Hungarian, English");
-pub(crate) const HELP_LARGEST: Words = Words("legnagyobb ablak és vissza", "largest window and back");
+pub(crate) const HELP_LARGEST: Words = Words("teljes képernyő és vissza", "full screen and back");
+pub(crate) const HELP_LOOK: Words =
+    Words("az ablak képe: éles, kitöltő, képcső", "look of the window: sharp, filling, CRT");
 pub(crate) const HELP_PICTURE: Words = Words("a képernyő mentése PNG-be", "save the screen as PNG");
 pub(crate) const HELP_ESC: Words = Words("kérdés, beírás megszakítása", "cancel a question or an entry");
 pub(crate) const HELP_LEAVE: Words = Words("Vissza: bármely billentyű", "Any key: back");

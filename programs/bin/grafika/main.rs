@@ -132,8 +132,12 @@ fn show_menu(options: &RunOptions) -> Result<(), Failure> {
 #[cfg(feature = "terminal")]
 fn show_text_menu(options: &RunOptions) -> Result<(), Failure> {
     let mut menu = TextMenu::new(options.language());
+    let mut options = options.clone();
     loop {
         in_terminal(&mut menu)?;
+        if menu.language() != options.language() {
+            options = options.preferring(menu.language());
+        }
         let Some(program) = menu.take_started() else { return Ok(()) };
         let mut options = options.in_language(menu.language());
         options.display = Some(DisplayKind::Terminal);

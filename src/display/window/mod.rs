@@ -1,4 +1,4 @@
-//! The display in a window of the desktop: sharp pixels by whole factors, the keys of the user's layout,
+//! The display in a window of the desktop: the picture by one of its looks, the keys of the user's layout,
 //! the mouse in the coordinates of the picture.
 //!
 //! The window sleeps until the desktop tells something or the session's deadline has come, and paints
@@ -9,7 +9,7 @@ mod layout;
 
 use super::Display;
 use super::clock::Clock;
-use crate::machine::{Button, Event, Key, Session};
+use crate::machine::{Button, Event, Key, Look, Session};
 use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 use keys::Stroke;
 use layout::Layout;
@@ -126,6 +126,7 @@ struct Front {
     /// The picture that the window shows, or is about to be painted with.
     picture: Screen,
     palette: Palette,
+    look: Look,
 }
 
 impl Front {
@@ -138,7 +139,7 @@ impl Front {
         };
         pane.surface.resize(width, height)?;
         let mut pixels = pane.surface.buffer_mut()?;
-        layout_of(size).paint(&self.picture, self.palette, &mut pixels);
+        layout_of(size, self.look).paint(&self.picture, self.palette, &mut pixels);
         pane.window.pre_present_notify();
         pixels.present()
     }
@@ -154,9 +155,9 @@ impl Display for Front {
 
     /// Asks for a painting when the picture has changed.
     fn show(&mut self, session: &Session) -> Result<(), Infallible> {
-        let (picture, palette) = (session.picture(), session.palette());
-        if picture != self.picture || palette != self.palette {
-            (self.picture, self.palette) = (picture, palette);
+        let (picture, palette, look) = (session.picture(), session.palette(), session.look());
+        if picture != self.picture || palette != self.palette || look != self.look {
+            (self.picture, self.palette, self.look) = (picture, palette, look);
             if let Some(pane) = &self.pane {
                 pane.window.request_redraw();
             }
@@ -190,6 +191,7 @@ impl<'s> View<'s> {
                 pane: None,
                 picture: session.picture(),
                 palette: session.palette(),
+                look: session.look(),
             },
             session,
             options,
@@ -234,7 +236,7 @@ impl<'s> View<'s> {
 
     fn point(&mut self, place: PhysicalPosition<f64>) {
         let Some(pane) = &self.front.pane else { return };
-        let layout = layout_of(pane.window.inner_size());
+        let layout = layout_of(pane.window.inner_size(), self.front.look);
         // Outside of the window the mouse is the program's business only while it drags.
         if layout.holds(place.x, place.y) || self.held.contains(&true) {
             self.moved = Some(layout.pixel_at(place.x, place.y));
@@ -376,8 +378,8 @@ impl ApplicationHandler for View<'_> {
     }
 }
 
-fn layout_of(size: PhysicalSize<u32>) -> Layout {
-    Layout::of((size.width as usize, size.height as usize))
+fn layout_of(size: PhysicalSize<u32>, look: Look) -> Layout {
+    Layout::of((size.width as usize, size.height as usize), look)
 }
 
 /// An error of the windowing library without the line of the library's source that found it.
