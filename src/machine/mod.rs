@@ -23,6 +23,7 @@
 //! assert_eq!(session.screen().pixel(15, 15), Some(Color::Yellow));
 //! ```
 
+mod bests;
 mod event;
 mod files;
 mod film;
@@ -36,6 +37,7 @@ mod session;
 mod stop;
 mod storage;
 
+pub use bests::{Best, Bests};
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
 pub use port::Wait;
@@ -158,6 +160,7 @@ pub struct Machine {
     files: Files,
     recovery: Option<Box<dyn Recovery>>,
     keeper: Option<Box<dyn Keeper>>,
+    bests: Option<Box<dyn Bests>>,
     file: Option<String>,
     seed: u64,
     film: Option<Film>,
@@ -196,6 +199,7 @@ impl Machine {
             files: Files::new(storage),
             recovery: None,
             keeper: None,
+            bests: None,
             file: None,
             seed: settings.seed,
             film: None,
@@ -215,6 +219,13 @@ impl Machine {
     pub fn with_preferences(mut self, preferences: Preferences, keeper: impl Keeper + 'static) -> Machine {
         self.port.borrow_mut().preferences = preferences;
         self.keeper = Some(Box::new(keeper));
+        self
+    }
+
+    /// The machine with a place that keeps the best results of games; without one, none are kept.
+    #[must_use]
+    pub fn with_bests(mut self, bests: impl Bests + 'static) -> Machine {
+        self.bests = Some(Box::new(bests));
         self
     }
 
@@ -240,6 +251,11 @@ impl Machine {
     /// Where unsaved work is kept, if anywhere.
     pub fn recovery(&mut self) -> Option<&mut (dyn Recovery + 'static)> {
         self.recovery.as_deref_mut()
+    }
+
+    /// Where the best results of games are kept, if anywhere.
+    pub fn bests(&mut self) -> Option<&mut (dyn Bests + 'static)> {
+        self.bests.as_deref_mut()
     }
 
     /// The name of the file that the work was last read from or saved to.

@@ -139,6 +139,11 @@ impl<'m> Desk<'m> {
         self.manual.name
     }
 
+    /// Shows other keys on the help page, where the manner has other ones.
+    pub fn set_keys(&mut self, keys: &'static [KeyHelp]) {
+        self.manual.keys = keys;
+    }
+
     /// Draws the picture and sleeps until an event for the program. F1 (help), F2 (language), F9 (settings), F10 (figure),
     /// F12 (picture of the screen) and Ctrl+F12 (film) are handled here.
     ///
@@ -259,7 +264,10 @@ impl<'m> Desk<'m> {
     }
 
     /// Shows the help page and adds up the time it takes.
-    async fn help(&mut self) -> Asked<()> {
+    ///
+    /// # Errors
+    /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+    pub async fn help(&mut self) -> Asked<()> {
         let begun = self.machine.now();
         let ended = self.read_help().await;
         self.away += self.machine.now().saturating_sub(begun);
