@@ -2,6 +2,7 @@
 //! 4.2). The rules and the solver are `grafika::puzzle::wheel`; here are the board, the game and the keys.
 
 mod game;
+mod hand;
 mod picture;
 mod player;
 mod show;
@@ -14,7 +15,16 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "gyongy_k",
     about: Words("Gyöngykerék, logikai játék", "The bead wheel, a logic puzzle"),
-    intro: Words("", ""),
+    intro: Words(
+        "Cél: minden karban egyszínű gyöngyök, középen a szürke, a fiókok a helyükön. Egy fiók betolásakor a sor \
+         átcsúszik a középponton, és a szemközti fiók kijön; a három gyűrű körbeforgatja a gyöngyöket. Kezdje az F7 \
+         (új játék) legkönnyebb fokával, húzza egérrel a gyűrűket és a fiókokat, és ha elakad: H. Minden lépésnek van \
+         ellenkezője, ezért a rejtvény mindig megoldható.",
+        "The goal: each arm holds beads of one colour, the grey bead is in the centre and the drawers are at home. \
+         Pushing a drawer moves its row through the centre and the opposite drawer out; the three rings carry beads \
+         around. Start with an easy game (F7), drag rings and drawers with the mouse, and press H when you are stuck. \
+         Every move has an opposite, so every position can be solved.",
+    ),
     keys: player::KEYS,
     lesson: &[],
 };
