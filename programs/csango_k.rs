@@ -2,6 +2,7 @@
 //! Rules and searches are `grafika::puzzle::cube`; here are the game, its picture and its controls.
 
 mod eye;
+mod game;
 mod hand;
 mod panel;
 mod picture;
