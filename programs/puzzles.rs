@@ -4,8 +4,8 @@
 use crate::machine::{Asked, Best, Key, Language};
 use crate::screen::{Color, Screen};
 use crate::ui::{
-    Area, Caption, Choices, Command, Desk, Field, Form, Hot, KeyHelp, MIDDLE, Number, Pad, Picture, Stay,
-    Stopwatch, Words, line,
+    Area, Caption, Choices, Command, Desk, Field, Form, Hot, KeyHelp, MIDDLE, Number, Pad, Phrase, Picture,
+    Stay, Stopwatch, Words, line,
 };
 use std::time::Duration;
 
@@ -113,7 +113,15 @@ pub(crate) async fn ask_preset<T: Copy + PartialEq>(
         area
     };
     let answers = presets.iter().map(|&(text, it)| (window(&text), text, it)).collect();
-    let choices = Choices { place: MIDDLE, captions: vec![Caption::new((x + 7, y + 8), title)], answers };
+    let mut captions = vec![Caption::new((x + 7, y + 8), title)];
+    if let Some((text, _)) = presets.iter().find(|(_, it)| *it == default) {
+        // There is room for a number, or the letter of a word.
+        let short = |rest: &'static str| if rest.len() > 1 { "" } else { rest };
+        let taken = |rest| format!("Enter: {}{}", text.letter, short(rest));
+        let taken = Phrase::new(taken(text.rest.0), taken(text.rest.1));
+        captions.push(Caption::new((x + 164, y + 8), taken).colored(Color::Blue));
+    }
+    let choices = Choices { place: MIDDLE, captions, answers };
     desk.choose_or(picture, &choices, Some(default)).await
 }
 
@@ -183,7 +191,7 @@ pub(crate) fn keep_best(desk: &mut Desk<'_>, game: &str, result: Best) -> Option
     let kept = bests.keep(game, result);
     let best = bests.best(game);
     if let Err(problem) = kept {
-        desk.tell(crate::ui::Phrase::plain(&problem), Stay::UntilRead);
+        desk.tell(Phrase::plain(&problem), Stay::UntilRead);
     }
     best
 }
@@ -208,6 +216,6 @@ pub(crate) fn end_text(help: Help) -> Words {
     match help {
         Help::None => Words("Kirakva!", "Solved!"),
         Help::Hints => Words("Kirakva, segítséggel", "Solved with hints"),
-        Help::Solution => Words("A gép rakta ki: nem számít", "The machine solved it: no score"),
+        Help::Solution => Words("A gép rakta ki: nem számít", "By the machine: no score"),
     }
 }

@@ -220,7 +220,7 @@ impl Picture for Player {
             }
             .into()
         };
-        Some(Hint { at: (30, 114), letters: 50, text })
+        Some(Hint { at: (30, 114), letters: 44, text })
     }
 }
 

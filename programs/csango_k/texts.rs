@@ -28,7 +28,7 @@ pub(crate) const RESTART: KeyHelp = line("F6", "újra az elejéről", "start aga
 pub(crate) const SCRAMBLE: KeyHelp = line("F7", "összekeverés", "scramble");
 
 pub(crate) const GOAL: Words = Words("Cél", "Goal");
-pub(crate) const ASK_START: Words = Words("Hány elem hiányzik? Enter: ez", "Pieces missing? Enter: this");
+pub(crate) const ASK_START: Words = Words("Hány elem hiányzik?", "Pieces missing?");
 /// The presets of the first question, with the file.
 pub(crate) const START: [(Hot, Option<Preset>); 5] = [
     (Hot::new('3', "", ""), Some(Preset::Three)),

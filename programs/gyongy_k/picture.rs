@@ -27,6 +27,8 @@ const LETTERS: [(i32, i32); ARMS] = [(-15, -28), (-26, -20), (-23, 3), (-1, 8), 
 /// Where the texts beside the board begin, and their lines.
 const SIDE: i32 = 404;
 const LINES: [i32; 5] = [76, 92, 108, 124, 140];
+/// The lines in the manner of today, above the hint and the buttons.
+const LINES_TODAY: [i32; 5] = [70, 82, 94, 106, 118];
 /// The small picture of the goal: its centre, and the distance of its beads.
 const GOAL: (i32, i32) = (60, 112);
 const GOAL_STEP: f64 = 8.0;
@@ -114,7 +116,7 @@ impl View<'_> {
             if self.style.manner == Manner::Today {
                 draw_goal(screen, language);
             }
-            board.draw_side(screen, language);
+            board.draw_side(screen, self.style.manner, language);
             if let Some((party, now)) = board.party {
                 party.draw(screen, CENTRE, now);
             }
@@ -123,7 +125,7 @@ impl View<'_> {
 }
 
 impl Board<'_> {
-    fn draw_side(&self, screen: &mut Screen, language: Language) {
+    fn draw_side(&self, screen: &mut Screen, manner: Manner, language: Language) {
         let mut lines = vec![texts::score(self.game.moves, self.time, language)];
         lines.extend(self.game.problem.map(|problem| texts::problem(problem, language)));
         lines.extend(self.told.iter().cloned());
@@ -141,7 +143,11 @@ impl Board<'_> {
                 lines = [texts::SHOWN, texts::ESC_BACK].map(|it| it.of(language).to_string()).to_vec();
             }
         }
-        for (line, y) in lines.iter().zip(LINES) {
+        let rows = match manner {
+            Manner::Original => LINES,
+            Manner::Today => LINES_TODAY,
+        };
+        for (line, y) in lines.iter().zip(rows) {
             screen.text(SIDE, y, line, Color::Blue);
         }
         screen.text(136, 468, &self.wheel.to_string(), Color::Blue);

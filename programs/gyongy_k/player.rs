@@ -50,7 +50,7 @@ pub(super) const COMMANDS: Commands<Action> = Commands(&[
 /// The help page.
 pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
-const ROWS: [Command<Control>; CONTROLS] = controls((402, 196), 2);
+const ROWS: [Command<Control>; CONTROLS] = controls((402, 172), 2);
 /// The buttons in the manner of today, which are those of the other puzzle too.
 pub(super) const TODAY: Commands<Control> = Commands(&ROWS);
 
@@ -184,7 +184,7 @@ impl Picture for Player {
             }
             .into()
         };
-        Some(Hint { at: (404, 158), letters: 27, text })
+        Some(Hint { at: (404, 134), letters: 27, text })
     }
 }
 
@@ -499,7 +499,7 @@ impl Player {
             Control::Choose => {
                 self.stop();
                 let now = self.games.now().problem.map_or(Difficulty::Four, |problem| problem.difficulty);
-                let title = texts::ASK_DIFFICULTY;
+                let title = texts::ASK_START;
                 let asked = puzzles::ask_preset(desk, &*self, title, &texts::DIFFICULTIES, now);
                 let difficulty = asked.await?;
                 let proposal = self.next_number();

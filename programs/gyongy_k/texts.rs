@@ -32,7 +32,7 @@ pub(crate) const STOP: KeyHelp = (
 
 pub(crate) const LOGO: Words = Words("Emőke játéka", "Emőke's game");
 pub(crate) const GOAL: Words = Words("   Cél", "  Goal");
-pub(crate) const ASK_START: Words = Words("Hány lépés? Enter: ez", "How hard? Enter: this");
+pub(crate) const ASK_START: Words = Words("Hány lépés?", "How many moves?");
 /// The presets of the first question; the rest is under P.
 pub(crate) const START: [(Hot, Option<Difficulty>); 5] = [
     (Hot::new('4', "", ""), Some(Difficulty::Four)),
