@@ -16,14 +16,14 @@ const MANUAL: Manual = Manual {
     name: "gyongy_k",
     about: Words("Gyöngykerék, logikai játék", "The bead wheel, a logic puzzle"),
     intro: Words(
-        "Cél: minden karban egyszínű gyöngyök, középen a szürke, a fiókok a helyükön. Egy fiók betolásakor a sor \
-         átcsúszik a középponton, és a szemközti fiók kijön; a három gyűrű körbeforgatja a gyöngyöket. Kezdje az F7 \
-         (új játék) legkönnyebb fokával, húzza egérrel a gyűrűket és a fiókokat, és ha elakad: H. Minden lépésnek van \
-         ellenkezője, ezért a rejtvény mindig megoldható.",
-        "The goal: each arm holds beads of one colour, the grey bead is in the centre and the drawers are at home. \
-         Pushing a drawer moves its row through the centre and the opposite drawer out; the three rings carry beads \
-         around. Start with an easy game (F7), drag rings and drawers with the mouse, and press H when you are stuck. \
-         Every move has an opposite, so every position can be solved.",
+        "Cél: minden karban egyszínű gyöngyök, középen a szürke, a fiókok a helyükön; a betolt fiók sora átcsúszik a \
+         középponton és kitolja a szemközti fiókot, a három gyűrű pedig körbeviszi a gyöngyöket. Kezdje egy könnyű \
+         játékkal: tolja a fiókokat, forgassa a gyűrűket egérrel vagy betűkkel, és ha elakad, kérjen segítséget. Minden \
+         lépésnek van ellenkezője, ezért minden állásból vissza lehet jutni.",
+        "The goal: each arm holds beads of one colour, the grey bead is in the centre and the drawers are at home; a \
+         drawer that is pushed in moves its row through the centre and the opposite drawer out, and three rings carry \
+         beads around. Start with an easy game: push drawers and turn rings with the mouse or by their letters, and \
+         ask for a hint when you are stuck. Every move has an opposite, so there is a way back from every position.",
     ),
     keys: player::KEYS,
     lesson: &[],

@@ -103,10 +103,10 @@ pub(crate) async fn ask_preset<T: Copy + PartialEq>(
     default: T,
 ) -> Asked<T> {
     let (x, y) = MIDDLE;
-    let language = desk.machine.language();
     let mut left = x + 5;
     let mut window = |text: &Hot| {
-        let letters = 1 + text.rest.of(language).chars().count();
+        // Wide enough for either language, which may change while the question stands.
+        let letters = 1 + text.rest.0.chars().count().max(text.rest.1.chars().count());
         let width = 8 * i32::try_from(letters).unwrap_or(0) + 10;
         let area = Area::new(left, y + 21, left + width, y + 34);
         left += width + 4;

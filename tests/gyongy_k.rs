@@ -321,9 +321,9 @@ fn every_drag_is_a_legal_move_and_undo_brings_the_wheel_back() {
 
 #[test]
 fn a_second_click_on_a_drawer_works_where_the_first_one_did() {
-    let twice = today_model("key Esc\nclick 396 260\nclick 396 260");
-    assert_eq!(twice["shown"], wheel("FF").to_string());
-    assert_eq!(twice["game"]["moves"], 2);
+    let twice = today_model("key Esc\nkey C\nclick 396 260\nclick 396 260");
+    assert_eq!(twice["shown"], wheel("CFF").to_string());
+    assert_eq!(twice["game"]["moves"], 3);
 }
 
 #[derive(Clone, Default)]

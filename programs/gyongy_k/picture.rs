@@ -65,7 +65,7 @@ impl Slide {
     fn out(self, arm: usize) -> f64 {
         match self {
             Slide::Diameter(held, inwards) if held == arm => -inwards,
-            Slide::Diameter(held, inwards) if (held + ARMS / 2 - arm) % ARMS == 0 => inwards,
+            Slide::Diameter(held, inwards) if (held + ARMS / 2) % ARMS == arm % ARMS => inwards,
             _ => 0.0,
         }
     }
