@@ -2,6 +2,7 @@
 //! 4.2). The rules and the solver are `grafika::puzzle::wheel`; here are the board, the game and the keys.
 
 mod game;
+mod hand;
 mod picture;
 mod player;
 mod show;
@@ -14,7 +15,16 @@ use crate::ui::{CommandLine, Demo, Manual, Program, Words};
 const MANUAL: Manual = Manual {
     name: "gyongy_k",
     about: Words("Gyöngykerék, logikai játék", "The bead wheel, a logic puzzle"),
-    intro: Words("", ""),
+    intro: Words(
+        "Cél: minden karban egyszínű gyöngyök, középen a szürke, a fiókok a helyükön; a betolt fiók sora átcsúszik a \
+         középponton és kitolja a szemközti fiókot, a három gyűrű pedig körbeviszi a gyöngyöket. Kezdje egy könnyű \
+         játékkal: tolja a fiókokat, forgassa a gyűrűket egérrel vagy betűkkel, és ha elakad, kérjen segítséget. Minden \
+         lépésnek van ellenkezője, ezért minden állásból vissza lehet jutni.",
+        "The goal: each arm holds beads of one colour, the grey bead is in the centre and the drawers are at home; a \
+         drawer that is pushed in moves its row through the centre and the opposite drawer out, and three rings carry \
+         beads around. Start with an easy game: push drawers and turn rings with the mouse or by their letters, and \
+         ask for a hint when you are stuck. Every move has an opposite, so there is a way back from every position.",
+    ),
     keys: player::KEYS,
     lesson: &[],
 };

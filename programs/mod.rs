@@ -23,6 +23,7 @@ pub mod gr_kz_x;
 pub mod groups;
 pub mod gyongy_k;
 pub mod menu;
+mod puzzles;
 #[cfg(feature = "native")]
 pub mod telepit;
 pub mod vjs;

@@ -3,9 +3,9 @@
 
 mod common;
 
-use common::{Kept, pictures, play_script, random};
+use common::{Kept, pictures, play_script, play_today, random};
 use grafika::file::{Document, Format};
-use grafika::machine::{Memory, Script, Storage, play};
+use grafika::machine::{Manner, Memory, Script, Storage, play};
 use grafika::programs::csango_k::PROGRAM;
 use grafika::puzzle::cube::{Action, CsangoCube, Move, Rules, Way};
 use serde_json::Value;
@@ -299,11 +299,84 @@ fn a_recorded_session_replays_to_the_same_picture() {
     random::assert_replays(PROGRAM, &format!("key U\n{HALF}key F7\nkey F4\nwait 999\n"));
 }
 
+/// The end of a script in the manner of today.
+fn today(script: &str) -> Kept {
+    play_today(PROGRAM, &format!("{script}\nshot end.png\ndump end.json\n"))
+}
+
+#[test]
+fn golden_pictures_of_today() {
+    let cases = [
+        ("csango_today_first", ""),
+        ("csango_today_begin", "key F2\nkey Enter\nwait 3000"),
+        ("csango_today_hint", "key Enter\nwait 3000\nkey H\nwait 3000"),
+        ("csango_today_refused", "key Esc\nkey W"),
+        ("csango_today_solution", "key Enter\nwait 3000\nkey O\nwait 20000"),
+        ("csango_today_help", "key Enter\nkey F1"),
+    ];
+    for (name, script) in cases {
+        pictures::assert_golden(name, &today(script).pictures["end.png"]);
+    }
+}
+
+#[test]
+fn a_game_of_three_pieces_is_dealt_by_its_number() {
+    let model = |script: &str| today(script).models["end.json"].clone();
+    let dealt = model("key Enter\nwait 3000");
+    assert_eq!((&dealt["task"], &dealt["moves"]), (&"idle".into(), &0.into()));
+    assert_eq!(position(&dealt).placed().len(), 11);
+    let typed = |number: u32| {
+        let model = model(&format!("key Esc\nkey P\nkey 3\ntype {number}\nkey Enter\nwait 3000"));
+        model["state"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(typed(77), typed(77));
+    assert_ne!(typed(77), typed(78));
+    assert_eq!(model("key Enter\nwait 3000\nkey O\nwait 20000")["finished"], true);
+    let moved = "key Enter\nwait 3000\nkey 1\nkey 0\nkey Z\n";
+    assert_eq!(model(&format!("{moved}key F6"))["state"], dealt["state"]);
+}
+
+#[test]
+fn every_drag_is_legal_and_undo_brings_the_position_back() {
+    let mut dice = random::Dice::new(4);
+    let mut dragged = 0;
+    for _ in 0..40 {
+        let mut number = |low: i32, high: i32| low + dice.below((high - low) as u64) as i32;
+        let before = format!("key Esc\n{}", "key Down\n".repeat(number(0, 3) as usize));
+        let mut place = || (number(90, 440), number(180, 440));
+        let [(x, y), (x1, y1), (x2, y2)] = [place(), place(), place()];
+        let drag =
+            format!("{before}move {x} {y}\npress left\nmove {x1} {y1}\nmove {x2} {y2}\nrelease left\n");
+        let model = |script: &str| today(script).models["end.json"].clone();
+        let [was, is] = [&before, &drag].map(|script| model(script));
+        assert_eq!(position(&is).fault(), None);
+        if is["moves"] != 0 {
+            dragged += 1;
+            assert_eq!(model(&format!("{drag}key Ctrl+Z"))["state"], was["state"], "{drag}");
+        }
+    }
+    assert!(dragged > 5, "{dragged}");
+}
+
+#[test]
+fn the_field_is_empty_until_there_is_a_configuration_and_the_view_stays() {
+    let field = |script: &str| {
+        let kept = play_script(PROGRAM, Memory::default(), &format!("{script}shot end.png\n"));
+        let screen = &kept.pictures["end.png"];
+        let ink = |x, y| screen.pixel(x, y) != Some(grafika::screen::Color::White);
+        (60..500).any(|x| (260..450).any(|y| ink(x, y)))
+    };
+    assert!(!field("") && field("key U\n") && !field("key U\nkey Q\nkey N\nkey N\nkey I\n"));
+    let again = model("key Left\nkey Q\nkey N\nkey N\nkey I\nkey U");
+    assert_eq!(again["eye"], model("key Left")["eye"]);
+}
+
 /// Random events, more of them with `GRAFIKA_EVENTS`; then a legal position, whatever was done.
 #[test]
 fn random_events_do_no_harm() {
     let events = random::events();
     random::storm(PROGRAM, events);
+    random::storm_in(PROGRAM, Manner::Today, events);
     for seed in 1..4 {
         let kept = run(&random::script(seed, events / 10));
         // The program may have ended before; then there is no model.

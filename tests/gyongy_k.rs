@@ -4,12 +4,15 @@
 mod common;
 
 use common::reference::Allowance;
-use common::{Kept, pictures, play_script, random, reference};
+use common::{Kept, pictures, play_script, play_today, random, reference};
 use grafika::file::{Document, Format};
-use grafika::machine::{Memory, Script, Storage, play};
+use grafika::machine::{Best, Bests, Machine, Manner, Memory, Script, Settings, Storage, play};
 use grafika::programs::gyongy_k::PROGRAM;
-use grafika::puzzle::wheel::{Wheel, moves_from_text};
+use grafika::puzzle::wheel::{Move, Wheel, moves_from_text};
 use serde_json::Value;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 #[test]
 fn every_reference_script_gives_the_originals_screen() {
@@ -229,4 +232,134 @@ fn a_recorded_session_replays_to_the_same_picture() {
 #[test]
 fn random_events_do_no_harm() {
     random::storm(PROGRAM, random::events());
+    random::storm_in(PROGRAM, Manner::Today, random::events());
+}
+
+/// The end of a script in the manner of today.
+fn today(script: &str) -> Kept {
+    play_today(PROGRAM, &format!("{script}\nshot end.png\ndump end.json\n"))
+}
+
+fn today_model(script: &str) -> Value {
+    today(script).models["end.json"].clone()
+}
+
+#[test]
+fn golden_pictures_of_today() {
+    let cases = [
+        ("gyongy_k_today_first", String::new()),
+        ("gyongy_k_today_begin", "key F2\nkey Enter".to_string()),
+        ("gyongy_k_today_ring", "key Enter\nmove 330 260\npress left\nmove 325 290".to_string()),
+        ("gyongy_k_today_drawer", "key Esc\nmove 400 260\npress left\nmove 386 260".to_string()),
+        ("gyongy_k_today_solution", "key Enter\nkey O\nwait 9000".to_string()),
+        ("gyongy_k_today_help", "key Enter\nkey F1".to_string()),
+    ];
+    for (name, script) in cases {
+        pictures::assert_golden(name, &today(&script).pictures["end.png"]);
+    }
+}
+
+#[test]
+fn a_wheel_of_four_moves_is_played_to_its_end() {
+    let mut script = "key Enter\n".to_string();
+    for step in 0..4 {
+        let hinted = today_model(&format!("{script}key H\nwait 5000"));
+        let letter = hinted["hint"].as_str().expect("there is a hint").to_owned();
+        script += &format!("key {letter}\n");
+        if step == 1 {
+            let there = today_model(&script);
+            assert_ne!(today_model(&format!("{script}key Ctrl+Z"))["game"], there["game"]);
+            script += "key Ctrl+Z\nkey Ctrl+Y\n";
+            assert_eq!(today_model(&script)["game"], there["game"]);
+        }
+    }
+    let end = today_model(&script);
+    assert_eq!((&end["solved"], &end["game"]["moves"]), (&true.into(), &4.into()));
+    assert_eq!(end["game"]["help"], "none");
+    // The celebration comes to its end, and nothing moves any more.
+    let at = |wait: u32| today(&format!("{script}wait {wait}")).pictures["end.png"].pixels().to_vec();
+    assert!(at(500) != at(800) && at(3000) == at(60_000));
+    // A hint is told, and a solution of the machine counts as none.
+    let hinted = today_model("key Enter\nkey H\nwait 5000\nkey I");
+    assert_eq!(hinted["game"]["help"], "hints");
+    assert_eq!(today_model("key Enter\nkey O\nwait 9000")["game"]["help"], "solution");
+}
+
+#[test]
+fn every_drag_is_a_legal_move_and_undo_brings_the_wheel_back() {
+    let mut dice = random::Dice::new(25);
+    let mut dragged = 0;
+    for _ in 0..80 {
+        let mut number = |low: i32, high: i32| low + dice.below((high - low) as u64) as i32;
+        let letters: String = (0..6).map(|_| Move::ALL[number(0, 12) as usize].letter()).collect();
+        let before = format!("key Esc\n{}", keys(&letters));
+        let mut place = || (number(60, 420), number(80, 440));
+        let [(x, y), (x1, y1), (x2, y2)] = [place(), place(), place()];
+        let drag =
+            format!("{before}move {x} {y}\npress left\nmove {x1} {y1}\nmove {x2} {y2}\nrelease left\n");
+        let [was, is] = [&before, &drag].map(|script| today_model(script));
+        let made = is["game"]["moves"].as_u64().unwrap() - was["game"]["moves"].as_u64().unwrap();
+        let wheel = |model: &Value| model["shown"].as_str().unwrap().parse::<Wheel>().unwrap();
+        let mut reached = vec![wheel(&was)];
+        for _ in 0..made {
+            let next = |wheel: &Wheel| Move::ALL.map(|a_move| wheel.after(a_move));
+            reached = reached.iter().flat_map(next).flatten().collect();
+            reached.sort_unstable();
+            reached.dedup();
+        }
+        assert!(reached.contains(&wheel(&is)), "{drag}");
+        if made > 0 {
+            dragged += 1;
+            assert_eq!(today_model(&format!("{drag}key Ctrl+Z"))["game"], was["game"], "{drag}");
+        }
+        // A key puts everything back.
+        let given_up = drag.replace("release left", "key Esc\nrelease left");
+        assert_eq!(today_model(&given_up)["game"], was["game"], "{given_up}");
+    }
+    assert!(dragged > 20, "{dragged}");
+}
+
+#[test]
+fn a_second_click_on_a_drawer_works_where_the_first_one_did() {
+    let twice = today_model("key Esc\nkey C\nclick 396 260\nclick 396 260");
+    assert_eq!(twice["shown"], wheel("CFF").to_string());
+    assert_eq!(twice["game"]["moves"], 3);
+}
+
+#[derive(Clone, Default)]
+struct Shelf(Rc<RefCell<BTreeMap<String, Best>>>);
+
+impl Bests for Shelf {
+    fn best(&self, game: &str) -> Option<Best> {
+        self.0.borrow().get(game).copied()
+    }
+
+    fn keep(&mut self, game: &str, result: Best) -> Result<(), String> {
+        self.0.borrow_mut().insert(game.to_owned(), result);
+        Ok(())
+    }
+}
+
+#[test]
+fn the_best_result_is_kept_unless_the_machine_has_helped() {
+    let kept = |script: &str| {
+        let shelf = Shelf::default();
+        let settings = Settings { manner: Manner::Today, ..Settings::default() };
+        let machine = Machine::new(Box::new(Memory::default()), settings).with_bests(shelf.clone());
+        let mut session = common::session_on(PROGRAM, machine, None);
+        play(&mut session, &Script::parse(script).unwrap(), &mut Kept::default()).unwrap();
+        shelf.0.take()
+    };
+    let solution = |script: &str| {
+        let mut script = script.to_owned();
+        while today_model(&script)["solved"] == false {
+            let hint = today_model(&format!("{script}key H\nwait 5000"))["hint"].clone();
+            script += &format!("key {}\n", hint.as_str().unwrap());
+        }
+        script
+    };
+    let solved = solution("key Enter\n");
+    assert_eq!(kept(&solved)["gyongy_k four"], Best { moves: 4, seconds: 0 });
+    assert!(kept("key Enter\nkey O\nwait 9000\n").is_empty());
+    assert!(kept(&solved.replacen("key Enter\n", "key Enter\nkey H\nwait 5000\n", 1)).is_empty());
 }

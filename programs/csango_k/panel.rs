@@ -1,7 +1,7 @@
 //! What surrounds the field: title, panels, buttons.
 
 use super::texts;
-use crate::machine::{Key, Language};
+use crate::machine::{Key, Language, Manner};
 use crate::screen::{Color, Direction, Screen, Stroke};
 use crate::ui::{Area, raised, sunken, window};
 
@@ -41,8 +41,14 @@ pub(crate) fn key_at(x: i32, y: i32) -> Option<Key> {
     moves.chain(BUTTONS).find(|(_, area)| area.holds(x, y)).map(|(key, _)| key)
 }
 
-/// Draws everything except the field; `hint` is the letter of a move to show.
-pub(crate) fn draw(screen: &mut Screen, language: Language, selected: Color, hint: Option<char>) {
+/// Draws all but what is in the field; `hint` is the letter of a move to be shown.
+pub(crate) fn draw(
+    screen: &mut Screen,
+    language: Language,
+    manner: Manner,
+    selected: Color,
+    hint: Option<char>,
+) {
     screen.clear(Color::LightCyan);
     title(screen, language);
     sunken(screen, Area::new(20, 50, 510, 460), 4);
@@ -59,8 +65,20 @@ pub(crate) fn draw(screen: &mut Screen, language: Language, selected: Color, hin
             screen.bar(area.x1, area.y1, area.x2, area.y2, Color::Yellow);
         }
         raised(screen, area, 1);
-        capital(screen, area.x1 + 16, area.y1 + 10, letter);
-        sign(screen, letter, area);
+        match manner {
+            Manner::Original => {
+                capital(screen, area.x1 + 16, area.y1 + 10, letter);
+                sign(screen, letter, area);
+            }
+            // The letter beside its sign and in a colour that is read.
+            Manner::Today => {
+                let mut text = [0; 4];
+                let text = letter.encode_utf8(&mut text);
+                screen.title(area.x1 + 4, area.y1 + 10, text, Color::Blue, 2, Direction::Horizontal);
+                let aside = if "XYZUVW".contains(letter) { 22 } else { 8 };
+                sign(screen, letter, Area { x1: area.x1 + aside, ..area });
+            }
+        }
     }
     let thick = Stroke::thick(Color::LightRed);
     for (key, area) in BUTTONS {

@@ -2,15 +2,18 @@
 
 use super::eye::{EDGE, Eye, centre};
 use super::panel::FIELD;
+use super::texts;
 use crate::file::cube::{CsangoCube, CubePiece, shape};
 use crate::geometry::{DepthBuffer, Vertex};
+use crate::machine::Language;
+use crate::puzzle::cube::{CORNER, PIECES};
 use crate::screen::{Color, Screen, Stroke};
 
 /// The visible pieces: piece `k`, from 1, in colour `k`.
 pub(crate) struct Scene(DepthBuffer);
 
 impl Scene {
-    pub(crate) fn new(cube: &CsangoCube, eye: Eye) -> Scene {
+    pub(crate) fn new(cube: &CsangoCube, eye: Eye, goal: Goal) -> Scene {
         let size = |from: i32, to: i32| usize::try_from(to - from + 1).unwrap_or(0);
         let mut buffer = DepthBuffer::new(size(FIELD.x1, FIELD.x2), size(FIELD.y1, FIELD.y2));
         for k in -5..=5 {
@@ -18,6 +21,22 @@ impl Scene {
             for [from, to] in [[[along, -end], [along, end]], [[-end, along], [end, along]]] {
                 let [from, to] = [from, to].map(|[x, y]| in_field(eye.vertex([x, y, 0.0])));
                 buffer.line(from, to, Color::Black.index());
+            }
+        }
+        if goal == Goal::Marked {
+            let [[x1, x2], [y1, y2]] =
+                [CORNER[0], CORNER[1]].map(|low| [low - 5, low - 1].map(|it| f64::from(it) * EDGE));
+            for [from, to] in
+                [[[x1, y1], [x2, y1]], [[x2, y1], [x2, y2]], [[x2, y2], [x1, y2]], [[x1, y2], [x1, y1]]]
+            {
+                // A line of one pixel is easily lost among the others: it is drawn three times.
+                for (dx, dy) in [(0, 0), (1, 0), (0, 1)] {
+                    let [from, to] = [from, to].map(|[x, y]| {
+                        let vertex = in_field(eye.vertex([x, y, 0.0]));
+                        Vertex { x: vertex.x + dx, y: vertex.y + dy, ..vertex }
+                    });
+                    buffer.line(from, to, MARK);
+                }
             }
         }
         for (index, piece) in cube.pieces.iter().enumerate() {
@@ -29,7 +48,7 @@ impl Scene {
     /// The visible piece at a pixel of the screen, from 0.
     pub(crate) fn piece_at(&self, x: i32, y: i32) -> Option<usize> {
         let color = self.0.pixel(x - FIELD.x1, y - FIELD.y1)?;
-        usize::from(color).checked_sub(1)
+        usize::from(color).checked_sub(1).filter(|&piece| piece < PIECES)
     }
 
     pub(crate) fn draw(&self, screen: &mut Screen) {
@@ -37,6 +56,38 @@ impl Scene {
             screen.row(FIELD.x1, y, row.iter().map(|pixel| pixel.color().map(Color::from_index)));
         }
     }
+}
+
+/// Whether the place where the cube will stand is marked on the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Goal {
+    Unmarked,
+    Marked,
+}
+
+/// The colour of that mark: light red by a number that is no piece's.
+const MARK: u8 = 16 + Color::LightRed.index();
+
+/// A finished cube in the corner of the field, small.
+pub(crate) fn draw_goal(screen: &mut Screen, language: Language) {
+    let (x, y, edge) = (405, 84, 6);
+    let place = |[u, v, w]: [i32; 3]| (x + edge * (v - u), y + edge * (u + v) / 2 - edge * w);
+    let thin = Stroke::thin(Color::Black);
+    type Face = fn(i32, i32) -> [i32; 3];
+    let faces: [(Face, [u8; 4]); 3] = [
+        (|a, b| [a, b, 4], [10, 9, 14, 13]),
+        (|a, b| [4, a, b], [4, 12, 3, 2]),
+        (|a, b| [a, 4, b], [5, 6, 1, 11]),
+    ];
+    for (face, colors) in faces {
+        for (a, b) in (0..4).flat_map(|a| (0..4).map(move |b| (a, b))) {
+            let corners = [(a, b), (a + 1, b), (a + 1, b + 1), (a, b + 1)].map(|(a, b)| place(face(a, b)));
+            // Some pattern of pieces.
+            let color = colors[((a / 2 + 2 * (b / 2)) % 4) as usize];
+            screen.polygon(&corners, Color::from_index(color), thin);
+        }
+    }
+    screen.text(x - 16, y + 32, texts::GOAL.of(language), Color::Blue);
 }
 
 /// A corner in pixels of the field.
@@ -133,7 +184,7 @@ mod tests {
         for seed in 0..12_u32 {
             let cube = CsangoCube::start().scrambled(u64::from(seed), 150 * seed, Rules::Book);
             let eye = (0..seed % 3).fold(Eye::HOME.turned(7 * seed as i32), |eye, _| eye.higher());
-            let scene = Scene::new(&cube, eye);
+            let scene = Scene::new(&cube, eye, Goal::Unmarked);
             let met = |x: i32, y: i32| {
                 let (viewer, pixel) = eye.ray(f64::from(x), f64::from(y));
                 first_met(&cube, viewer, pixel)

@@ -1,17 +1,21 @@
 //! What the player does: choosing, moving and turning pieces, looking around, asking for help.
 
+use super::super::puzzles::{self, CONTROLS, Control, Help, MOST, Party, controls};
 use super::eye::Eye;
+use super::game::{Deal, Preset};
 use super::hand::Hand;
 use super::panel::{self, FIELD};
-use super::picture::{Scene, draw_axes};
+use super::picture::{Goal, Scene, draw_axes, draw_goal};
 use super::task::{PACE, Plan, Quest, Task, Wanted};
 use super::texts;
 use crate::editor::keys;
 use crate::file::{CsangoCube, Document, Format};
-use crate::machine::{Asked, Asking, Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Tick};
-use crate::puzzle::cube::{self, Move, PIECES, Rules};
+use crate::machine::{
+    Asked, Asking, Best, Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Manner, Stop, Tick,
+};
+use crate::puzzle::cube::{self, Move, PIECES, Refused, Rules};
 use crate::screen::{Color, Screen};
-use crate::ui::{Command, Commands, Desk, KeyHelp, Manual, Phrase, Picture, Stay, Stopwatch};
+use crate::ui::{Command, Commands, Desk, Hint, KeyHelp, Manual, Phrase, Picture, Stay, Stopwatch};
 use crate::work::{self, History, Next, Work};
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
@@ -44,7 +48,7 @@ const COMMANDS: Commands<Action> = Commands(&[
     Command::key(Key::F(3), texts::RIGID, Action::Do(Player::switch_rules)),
     Command::key(Key::F(4), texts::HINT, Action::Do(|player, desk| player.seek(desk, Wanted::Hint))),
     Command::key(Key::F(5), texts::SOLVE, Action::Do(|player, desk| player.seek(desk, Wanted::Solution))),
-    Command::key(Key::F(6), texts::RESTART, Action::Do(|player, _| player.begin(player.first))),
+    Command::key(Key::F(6), texts::RESTART, Action::Do(|player, _| player.begin(player.plays.now().first))),
     Command::key(Key::F(7), texts::SCRAMBLE, Action::Do(|player, _| player.scramble())),
     Command::told(keys::UNDO),
     Command::told(keys::SAVE),
@@ -55,11 +59,48 @@ const COMMANDS: Commands<Action> = Commands(&[
 /// The help page.
 pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
+const ROWS: [Command<Control>; CONTROLS] = controls((30, 60), 3);
+/// The buttons in the manner of today, which are those of the other puzzle too.
+const TODAY: Commands<Control> = Commands(&ROWS);
+
+/// The help page in the manner of today.
+const KEYS_TODAY: &[KeyHelp] = &{
+    const OWN: usize = 6;
+    const SHARED: usize = TODAY.lines();
+    const COMMON: [KeyHelp; SHARED] = TODAY.help();
+    let mut keys = [texts::MOVE; OWN + SHARED + 3];
+    keys[1] = texts::TURN;
+    keys[2] = texts::OTHER;
+    keys[3] = texts::DRAG;
+    keys[4] = texts::LIFT;
+    keys[5] = texts::LOOK;
+    let mut row = 0;
+    while row < SHARED {
+        keys[OWN + row] = COMMON[row];
+        row += 1;
+    }
+    keys[OWN + SHARED] = texts::RIGID;
+    keys[OWN + SHARED + 1] = keys::SAVE;
+    keys[OWN + SHARED + 2] = keys::QUIT;
+    keys
+};
+
 /// What undo takes back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Play {
+    /// The position of the restart.
+    first: CsangoCube,
     cube: CsangoCube,
     moves: u32,
+    /// The game of the number that it began with.
+    deal: Option<Deal>,
+    help: Help,
+}
+
+impl Play {
+    fn from(first: CsangoCube) -> Play {
+        Play { first, cube: first, moves: 0, deal: None, help: Help::None }
+    }
 }
 
 /// A game as it is kept while it is unsaved.
@@ -69,13 +110,15 @@ struct Kept {
     first: CsangoCube,
     cube: CsangoCube,
     moves: u32,
+    #[serde(default)]
+    deal: Option<Deal>,
+    #[serde(default)]
+    help: Help,
 }
 
 /// The program's state.
 struct Player {
     plays: History<Play>,
-    /// The position of the restart.
-    first: CsangoCube,
     selected: usize,
     eye: Eye,
     rules: Rules,
@@ -88,6 +131,21 @@ struct Player {
     plan: Option<Plan>,
     hinted: bool,
     seed: u64,
+    manner: Manner,
+    /// Whether there is a configuration, not only a question for it.
+    begun: bool,
+    /// The game that is to be dealt when the work begins; it needs no saving.
+    wanted: Option<Deal>,
+    /// Whether the next game that is dealt is the first one.
+    fresh: bool,
+    /// How much has been helped since the last move.
+    help: Help,
+    refused: Option<Refused>,
+    party: Option<Party>,
+    /// The name of the game that results are kept under, and the best one.
+    best: (String, Option<Best>),
+    /// The solution from the start of a game that is known: where that is and its length.
+    known: Option<(CsangoCube, usize)>,
 }
 
 /// The model as `dump` writes it.
@@ -113,30 +171,63 @@ struct Model {
 /// # Errors
 /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
 pub(crate) async fn run(machine: &mut Machine, manual: Manual, document: Option<Document>) -> Asked<()> {
-    let player = Player::new(machine.seed());
+    let player = Player::new(machine.seed(), machine.manner());
     work::run(player, &mut Desk::new(machine, manual), document).await
 }
 
 impl Picture for Player {
     fn draw(&self, screen: &mut Screen, language: Language) {
-        let hint = self.hint();
+        let hint = self.hinted_move();
         let color = |piece: usize| Color::ALL.get(piece + 1).copied().unwrap_or_default();
-        panel::draw(screen, language, color(self.selected), hint.map(|it| it.action.letter()));
-        self.scene().draw(screen);
-        draw_axes(screen, self.eye);
+        let letter = hint.map(|it| it.action.letter());
+        panel::draw(screen, language, self.manner, color(self.selected), letter);
+        if self.manner == Manner::Today {
+            // Under the pieces, so that nothing hides them.
+            draw_goal(screen, language);
+            TODAY.draw(screen, language);
+            for (row, line) in (0..).zip(self.told(language)) {
+                screen.text(30, 150 + 12 * row, &line, Color::Blue);
+            }
+        }
+        // The original shows an empty field until there is a configuration.
+        if self.begun || self.manner == Manner::Today {
+            self.scene().draw(screen);
+            draw_axes(screen, self.eye);
+        }
         screen.text(330, 468, &self.line(language), Color::Black);
         if let Some(hint) = hint {
             screen.bar(316, 467, 325, 476, color(hint.piece));
         }
+        if let Some(party) = self.party {
+            party.draw(screen, (260, 260), self.now);
+        }
+    }
+
+    fn hint(&self) -> Option<Hint> {
+        if !self.begun || !matches!(self.task, Task::Idle) {
+            return None;
+        }
+        let play = self.plays.now();
+        let text = if let Some(step) = self.hinted_move() {
+            texts::do_this(step)
+        } else if let Some(why) = self.refused {
+            texts::refused(why)
+        } else {
+            match (play.cube.is_finished(), play.moves) {
+                (true, _) => texts::AGAIN,
+                (false, 0) => texts::BEGIN,
+                (false, _) => texts::GO_ON,
+            }
+            .into()
+        };
+        Some(Hint { at: (30, 114), letters: 44, text })
     }
 }
 
 impl Player {
-    fn new(seed: u64) -> Player {
-        let start = CsangoCube::start();
+    fn new(seed: u64, manner: Manner) -> Player {
         Player {
-            plays: History::new(Play { cube: start, moves: 0 }),
-            first: start,
+            plays: History::new(Play::from(CsangoCube::start())),
             selected: 0,
             eye: Eye::HOME,
             rules: Rules::Book,
@@ -148,6 +239,15 @@ impl Player {
             plan: None,
             hinted: false,
             seed,
+            manner,
+            begun: false,
+            wanted: None,
+            fresh: false,
+            help: Help::None,
+            refused: None,
+            party: None,
+            best: (String::new(), None),
+            known: None,
         }
     }
 
@@ -157,18 +257,22 @@ impl Player {
     }
 
     fn scene(&self) -> Scene {
-        Scene::new(&self.cube(), self.eye)
+        let goal = match self.manner {
+            Manner::Original => Goal::Unmarked,
+            Manner::Today => Goal::Marked,
+        };
+        Scene::new(&self.cube(), self.eye, goal)
     }
 
     /// The move that is shown.
-    fn hint(&self) -> Option<Move> {
+    fn hinted_move(&self) -> Option<Move> {
         let plan = self.plan.as_ref().filter(|plan| self.hinted && plan.at == self.plays.now().cube)?;
         plan.moves.front().copied()
     }
 
     /// The line under the field; empty before the first move.
     fn line(&self, language: Language) -> String {
-        match (&self.task, self.hint()) {
+        match (&self.task, self.hinted_move()) {
             (Task::Seeking(quest), _) => texts::progress(quest.progress(), language),
             (Task::Playing(moves, _), _) => texts::left(moves.len(), language),
             (Task::Idle, Some(hint)) => texts::hint(hint, language),
@@ -186,6 +290,14 @@ impl Player {
             Task::Seeking(mut quest) => match quest.advance() {
                 Ok(None) => self.task = Task::Seeking(quest),
                 Ok(Some(moves)) => {
+                    if let Wanted::Deal(deal) = quest.wanted {
+                        let (cube, left) = deal.preset.along(&moves, self.rules);
+                        return self.start_deal(deal, cube, left);
+                    }
+                    let play = self.plays.now();
+                    if play.cube == play.first {
+                        self.known = Some((play.first, moves.len()));
+                    }
                     let plan = Plan { at: self.plays.now().cube, rules: self.rules, moves: moves.into() };
                     self.take_up(plan, quest.wanted);
                 }
@@ -194,6 +306,7 @@ impl Player {
             Task::Playing(mut moves, due) if due <= self.now => {
                 let Some(step) = moves.pop_front() else { return };
                 self.selected = step.piece;
+                self.help = Help::Solution;
                 if self.make(step) {
                     self.task = Task::Playing(moves, self.now + PACE);
                     self.look_whether_finished(desk);
@@ -205,7 +318,12 @@ impl Player {
 
     fn take_up(&mut self, plan: Plan, wanted: Wanted) {
         match wanted {
-            Wanted::Hint => self.hinted = true,
+            Wanted::Hint => {
+                self.hinted = true;
+                self.help = self.help.max(Help::Hints);
+            }
+            // A deal has been carried out where it was found.
+            Wanted::Deal(_) => return,
             Wanted::Solution => self.task = Task::Playing(plan.moves.clone(), self.now),
         }
         if let Some(step) = plan.moves.front().filter(|_| wanted == Wanted::Hint) {
@@ -216,7 +334,14 @@ impl Player {
 
     /// Makes a move if it is allowed; returns whether it was.
     fn make(&mut self, step: Move) -> bool {
-        let Ok(cube) = self.plays.now().cube.after(step, self.rules) else { return false };
+        (self.refused, self.party) = (None, None);
+        let cube = match self.plays.now().cube.after(step, self.rules) {
+            Ok(cube) => cube,
+            Err(why) => {
+                self.refused = Some(why);
+                return false;
+            }
+        };
         self.plan = self.plan.take().and_then(|plan| plan.after(step, cube));
         self.change(cube, 1);
         true
@@ -226,8 +351,10 @@ impl Player {
     fn change(&mut self, cube: CsangoCube, moves: u32) {
         self.hinted = false;
         self.clock.note(false, self.now);
-        let moves = self.plays.now().moves.saturating_add(moves);
-        self.plays.change(Play { cube, moves });
+        let play = *self.plays.now();
+        let moves = play.moves.saturating_add(moves);
+        let help = play.help.max(std::mem::take(&mut self.help));
+        self.plays.change(Play { cube, moves, help, ..play });
     }
 
     fn look_whether_finished(&mut self, desk: &mut Desk<'_>) {
@@ -235,15 +362,132 @@ impl Player {
         if play.cube.is_finished() && play.moves > 0 {
             self.task = Task::Idle;
             self.clock.note(true, self.now);
-            desk.tell(texts::finished(play.moves), Stay::Briefly);
+            match self.manner {
+                Manner::Original => desk.tell(texts::finished(play.moves), Stay::Briefly),
+                Manner::Today => self.celebrate(desk, play),
+            }
         }
     }
 
     /// Commits another position and restarts the count of moves.
     fn begin(&mut self, cube: CsangoCube) {
-        self.plays.change(Play { cube, moves: 0 });
+        let play = *self.plays.now();
+        self.start_play(Play { cube, moves: 0, help: Help::None, ..play });
+    }
+
+    fn start_play(&mut self, play: Play) {
+        match std::mem::take(&mut self.fresh) {
+            true => self.plays = History::new(play),
+            false => self.plays.change(play),
+        }
         self.clock = Stopwatch::default();
         (self.hinted, self.plan, self.task) = (false, None, Task::Idle);
+        (self.help, self.refused, self.party) = (Help::None, None, None);
+    }
+
+    /// Begins a game that has been dealt, with the moves that are known to solve it.
+    fn start_deal(&mut self, deal: Deal, cube: CsangoCube, moves: Vec<Move>) {
+        self.start_play(Play { deal: Some(deal), ..Play::from(cube) });
+        self.known = Some((cube, moves.len())).filter(|&(_, count)| count > 0);
+        self.plan = Some(Plan { at: cube, rules: self.rules, moves: moves.into() });
+    }
+
+    /// Deals a game: at once, or by the search for a cube that pieces are taken from.
+    fn deal(&mut self, deal: Deal) {
+        let start = CsangoCube::start();
+        if deal.preset == Preset::Mixed {
+            return self.start_deal(deal, start.scrambled(deal.number, TRIES, self.rules), Vec::new());
+        }
+        let quest = Quest::new(start, self.rules, Wanted::Deal(deal), deal.number);
+        self.task = Task::Seeking(Box::new(quest));
+    }
+
+    /// The next number of a game, which can be typed.
+    fn next_number(&mut self) -> u64 {
+        self.seed = self.seed.wrapping_add(1);
+        self.seed % (MOST as u64 + 1)
+    }
+
+    /// Carries out what both puzzles can do.
+    async fn control(&mut self, desk: &mut Desk<'_>, control: Control) -> Asked<()> {
+        match control {
+            Control::New => {
+                let preset = self.plays.now().deal.map_or(Preset::Three, |deal| deal.preset);
+                let number = self.next_number();
+                self.deal(Deal { preset, number });
+            }
+            Control::Choose => {
+                let now = self.plays.now().deal.map_or(Preset::Three, |deal| deal.preset);
+                let title = texts::ASK_START;
+                let preset = puzzles::ask_preset(desk, &*self, title, &texts::PRESETS, now).await?;
+                let proposal = self.next_number();
+                let number = puzzles::ask_number(desk, &*self, proposal).await?;
+                self.deal(Deal { preset, number });
+            }
+            Control::Hint => self.seek(desk, Wanted::Hint),
+            Control::Solve => self.seek(desk, Wanted::Solution),
+            Control::Undo => self.step(desk, Key::Ctrl('Z')).await?,
+            Control::Redo => self.step(desk, Key::Ctrl('Y')).await?,
+            Control::Restart => self.begin(self.plays.now().first),
+            Control::Help => desk.help().await?,
+        }
+        Ok(())
+    }
+
+    async fn step(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<()> {
+        (self.hinted, self.refused, self.party) = (false, None, None);
+        work::common_key(self, desk, Some(key)).await?;
+        let play = self.plays.now();
+        self.clock.note(play.cube.is_finished() && play.moves > 0, self.now);
+        Ok(())
+    }
+
+    fn look_at_best(&mut self, desk: &mut Desk<'_>) {
+        let name = self.results().unwrap_or_default();
+        if name != self.best.0 {
+            let best = desk.machine.bests().and_then(|bests| bests.best(&name));
+            self.best = (name, best);
+        }
+    }
+
+    /// The name that results of this game are kept under.
+    fn results(&self) -> Option<String> {
+        let deal = self.plays.now().deal?;
+        let rules = match self.rules {
+            Rules::Book => "",
+            Rules::Rigid => " rigid",
+        };
+        Some(format!("csango_k {:?}{rules}", deal.preset).to_lowercase())
+    }
+
+    /// The cube has just been finished.
+    fn celebrate(&mut self, desk: &mut Desk<'_>, play: Play) {
+        if let Some(name) = self.results().filter(|_| play.help == Help::None) {
+            let seconds = self.clock.time(self.now).as_secs();
+            let best = puzzles::keep_best(desk, &name, Best { moves: play.moves, seconds });
+            self.best = (name, best);
+        }
+        if play.help != Help::Solution {
+            self.party = Some(Party::new(self.now));
+        }
+    }
+
+    /// Lines in the field in the manner of today: the game, the best results, how a finished cube compares.
+    fn told(&self, language: Language) -> Vec<String> {
+        let play = self.plays.now();
+        let mut lines = Vec::new();
+        if !self.begun {
+            return lines;
+        }
+        lines.extend(play.deal.map(|deal| texts::game(deal.preset, deal.number, language)));
+        lines.extend(self.best.1.map(|best| puzzles::best_text(best, language)));
+        if play.cube.is_finished() && play.moves > 0 {
+            lines.push(puzzles::end_text(play.help).of(language).to_owned());
+            if let Some((_, count)) = self.known.filter(|(first, _)| *first == play.first) {
+                lines.push(puzzles::known_text(count, false, language));
+            }
+        }
+        lines
     }
 
     /// A new scramble each time; sessions with the same seed get the same ones.
@@ -316,6 +560,7 @@ impl Player {
     fn let_go(&mut self, desk: &mut Desk<'_>) {
         let Some(hand) = self.hand.take().filter(|hand| hand.cube != self.plays.now().cube) else { return };
         self.plan = None;
+        (self.refused, self.party) = (None, None);
         self.change(hand.cube, hand.moves());
         self.look_whether_finished(desk);
     }
@@ -368,13 +613,14 @@ impl Work for Player {
     }
 
     fn reset(&mut self) {
-        *self = Player { rules: self.rules, ..Player::new(self.seed) };
+        // Rules and view stay, as in the original.
+        *self = Player { rules: self.rules, eye: self.eye, ..Player::new(self.seed, self.manner) };
     }
 
     fn open(&mut self, document: &Document) -> Result<(), Phrase> {
         let Document::CsangoCube(cube) = document else { return Err(texts::NO_CUBE.into()) };
-        self.first = *cube;
-        self.plays = History::new(Play { cube: *cube, moves: 0 });
+        self.plays = History::new(Play::from(*cube));
+        self.begun = true;
         Ok(())
     }
 
@@ -383,24 +629,24 @@ impl Work for Player {
     }
 
     fn unsaved_work(&self) -> Result<String, Phrase> {
-        let Play { cube, moves } = *self.plays.now();
-        let kept = Kept { first: self.first, cube, moves };
+        let Play { first, cube, moves, deal, help } = *self.plays.now();
+        let kept = Kept { first, cube, moves, deal, help };
         serde_json::to_string(&kept).map_err(|error| Phrase::plain(&error))
     }
 
     fn take_up(&mut self, work: &str) -> Result<(), Phrase> {
-        let Kept { first, cube, moves } =
+        let Kept { first, cube, moves, deal, help } =
             serde_json::from_str(work).map_err(|error| Phrase::plain(&error))?;
         for cube in [first, cube] {
             Document::CsangoCube(cube).check().map_err(|error| Phrase::plain(&error))?;
         }
-        self.first = first;
-        self.plays = History::new(Play { cube, moves });
+        self.plays = History::new(Play { first, cube, moves, deal, help });
+        self.begun = true;
         Ok(())
     }
 
     fn model(&self) -> impl Serialize + 'static {
-        let Play { cube, moves } = *self.plays.now();
+        let Play { cube, moves, .. } = *self.plays.now();
         Model {
             state: cube.to_string(),
             finished: cube.is_finished(),
@@ -414,20 +660,50 @@ impl Work for Player {
                 Task::Seeking(_) => "seeking",
                 Task::Playing(..) => "playing",
             },
-            hint: self.hint().map(|step| step.to_string()),
+            hint: self.hinted_move().map(|step| step.to_string()),
             cube: self.cube(),
         }
     }
 
+    async fn ask_first(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
+        while desk.machine.manner() == Manner::Today {
+            let title = texts::ASK_START;
+            let asked = puzzles::ask_preset(desk, &*self, title, &texts::START, Some(Preset::Three));
+            match asked.await.unless_cancelled()? {
+                Some(Some(preset)) => {
+                    let number = self.next_number();
+                    (self.wanted, self.fresh) = (Some(Deal { preset, number }), true);
+                }
+                Some(None) => {
+                    if work::load(self, desk, Stay::Briefly).await.unless_cancelled()? != Some(true) {
+                        continue;
+                    }
+                }
+                None if desk.machine.return_to_host() => return Err(Stop::Closed),
+                None => {}
+            }
+            return Ok(true);
+        }
+        Ok(false)
+    }
+
     fn look(&mut self, desk: &Desk<'_>) {
         self.now = desk.clock();
+        self.manner = desk.machine.manner();
+        if self.party.is_some_and(|party| party.next(self.now).is_none()) {
+            self.party = None;
+        }
     }
 
     fn due(&self) -> Option<Duration> {
         let next = match &self.task {
             Task::Seeking(_) => return Some(Duration::from_secs(1) / FRAMES_PER_SECOND),
             Task::Playing(_, due) => *due,
-            Task::Idle => self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0)?,
+            Task::Idle => {
+                let second = self.clock.next_second(self.now).filter(|_| self.plays.now().moves > 0);
+                let party = self.party.and_then(|party| party.next(self.now));
+                second.into_iter().chain(party).min()?
+            }
         };
         Some(next.saturating_sub(self.now))
     }
@@ -435,7 +711,16 @@ impl Work for Player {
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         // The close button may have been pressed in the middle of a task.
         (self.hand, self.task) = (None, Task::Idle);
+        self.begun = true;
+        if let Some(deal) = self.wanted.take() {
+            self.deal(deal);
+        }
         loop {
+            self.look_at_best(desk);
+            desk.set_keys(match desk.machine.manner() {
+                Manner::Original => KEYS,
+                Manner::Today => KEYS_TODAY,
+            });
             let tick = work::event(self, desk).await?;
             if !matches!(self.task, Task::Idle) {
                 if Player::stops(&tick) {
@@ -456,6 +741,14 @@ impl Work for Player {
                 && tick.event != Some(Event::Release(Button::Left))
             {
                 self.hand = None; // the button went up while help was read
+            }
+            if self.manner == Manner::Today {
+                // A piece lies over the buttons, not under them.
+                let piece = tick.click().and_then(|(x, y)| self.scene().piece_at(x, y));
+                if let Some(control) = TODAY.find(&tick).filter(|_| piece.is_none() && self.hand.is_none()) {
+                    self.control(desk, control).await.unless_cancelled()?;
+                    continue;
+                }
             }
             let button = tick.click().and_then(|(x, y)| panel::key_at(x, y));
             if work::common_key(self, desk, tick.key()).await? {

@@ -1,5 +1,6 @@
 //! What the program does by itself: searching for a filling and for the moves that build it, and playing them.
 
+use super::game::Deal;
 use crate::puzzle::cube::{CsangoCube, Move, Rules, Solver, WayError};
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -16,6 +17,8 @@ pub(crate) enum Wanted {
     Hint,
     /// All are played.
     Solution,
+    /// A game begins somewhere on their way.
+    Deal(Deal),
 }
 
 /// The search for the moves to the finished cube.

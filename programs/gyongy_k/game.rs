@@ -1,5 +1,6 @@
 //! The game as a plain value, which undo restores.
 
+use super::super::puzzles::Help;
 use super::texts;
 use crate::file::Document;
 use crate::puzzle::wheel::{Difficulty, Move, Scramble, Wheel};
@@ -24,6 +25,8 @@ pub(crate) struct Game {
     /// The problem it began with.
     #[serde(skip)]
     pub(crate) problem: Option<Problem>,
+    /// How much the machine has helped since the start.
+    pub(crate) help: Help,
 }
 
 /// A game as it is kept while it is unsaved.
@@ -34,12 +37,27 @@ struct Work {
     wheel: Wheel,
     moves: u32,
     problem: Option<Problem>,
+    #[serde(default)]
+    help: Help,
+}
+
+impl Problem {
+    /// The shortest way back that is known from how the problem was made, and whether it is proven to be shortest.
+    pub(crate) fn known(self) -> Option<(usize, bool)> {
+        match self.difficulty {
+            Difficulty::Four => Some((4, true)),
+            Difficulty::Eight => Some((8, true)),
+            Difficulty::Sixteen => Some((16, false)),
+            // A walk of some hundred letters tells nothing, and dealt beads have none.
+            Difficulty::Book | Difficulty::Any => None,
+        }
+    }
 }
 
 impl Game {
     /// A game that begins at a position.
     pub(crate) fn from(start: Wheel) -> Game {
-        Game { start, wheel: start, moves: 0, problem: None }
+        Game { start, wheel: start, moves: 0, problem: None, help: Help::None }
     }
 
     /// A game that begins with a problem.
@@ -62,8 +80,9 @@ impl Game {
     /// # Errors
     /// What cannot be written.
     pub(crate) fn to_work(&self) -> Result<String, Phrase> {
-        let Game { start, wheel, moves, problem } = *self;
-        serde_json::to_string(&Work { start, wheel, moves, problem }).map_err(|error| Phrase::plain(&error))
+        let Game { start, wheel, moves, problem, help } = *self;
+        serde_json::to_string(&Work { start, wheel, moves, problem, help })
+            .map_err(|error| Phrase::plain(&error))
     }
 
     /// The game in such a text.
@@ -72,8 +91,8 @@ impl Game {
     /// Why there is none.
     pub(crate) fn from_work(text: &str) -> Result<Game, Phrase> {
         let work: Work = serde_json::from_str(text).map_err(|error| Phrase::plain(&error))?;
-        let Work { start, wheel, moves, problem } = work;
-        Ok(Game { start, wheel, moves, problem })
+        let Work { start, wheel, moves, problem, help } = work;
+        Ok(Game { start, wheel, moves, problem, help })
     }
 
     /// The game after a move, if it is possible.
@@ -84,6 +103,6 @@ impl Game {
 
     /// The same game from its start.
     pub(crate) fn restarted(&self) -> Game {
-        Game { wheel: self.start, moves: 0, ..self.clone() }
+        Game { wheel: self.start, moves: 0, help: Help::None, ..self.clone() }
     }
 }

@@ -1,24 +1,25 @@
 //! The player's moves and questions, and what runs by itself.
 
+use super::super::puzzles::{self, CONTROLS, Control, Help, MOST, Party, controls};
 use super::game::{Game, Problem};
-use super::picture::{Board, GoingOn, View, move_at};
+use super::hand::Hand;
+use super::picture::{Board, GoingOn, Slide, Style, View, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
 use crate::editor::keys;
 use crate::file::{BeadWheel, Document, Format};
-use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Tick};
+use crate::machine::{
+    Asked, Asking, Best, Button as MouseButton, Event, Key, Language, Machine, Manner, Stop, Tick,
+};
 use crate::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
-use crate::screen::Screen;
+use crate::screen::{Palette, Screen};
 use crate::ui::{
-    Answer, Area, Button, Caption, Choices, Command, Commands, Desk, Field, Form, KeyHelp, MIDDLE, Manual,
-    Number, Phrase, Picture, Question, Stay, Stopwatch,
+    Answer, Area, Button, Caption, Choices, Command, Commands, Desk, Field, Form, Hint, KeyHelp, MIDDLE,
+    Manual, Number, Phrase, Picture, Question, Stay, Stopwatch,
 };
 use crate::work::{self, History, Next, Work};
 use serde::Serialize;
 use std::time::Duration;
-
-/// The largest number of a problem.
-const MOST: i32 = 999_999;
 
 /// What a command does.
 #[derive(Clone, Copy)]
@@ -49,7 +50,30 @@ pub(super) const COMMANDS: Commands<Action> = Commands(&[
 /// The help page.
 pub(super) const KEYS: &[KeyHelp] = &COMMANDS.help::<{ COMMANDS.lines() }>();
 
-/// The program's state. Undo restores the game only; all else is view.
+const ROWS: [Command<Control>; CONTROLS] = controls((402, 172), 2);
+/// The buttons in the manner of today, which are those of the other puzzle too.
+pub(super) const TODAY: Commands<Control> = Commands(&ROWS);
+
+/// The help page in the manner of today.
+const KEYS_TODAY: &[KeyHelp] = &{
+    const OWN: usize = 3;
+    const SHARED: usize = TODAY.lines();
+    const COMMON: [KeyHelp; SHARED] = TODAY.help();
+    let mut keys = [texts::PUSH; OWN + SHARED + 3];
+    keys[1] = texts::TURN;
+    keys[2] = texts::DRAG;
+    let mut row = 0;
+    while row < SHARED {
+        keys[OWN + row] = COMMON[row];
+        row += 1;
+    }
+    keys[OWN + SHARED] = texts::DEMONSTRATE;
+    keys[OWN + SHARED + 1] = texts::SAVE;
+    keys[OWN + SHARED + 2] = keys::QUIT;
+    keys
+};
+
+/// The program's state: the game with its past is what undo restores, all else is view.
 struct Player {
     games: History<Game>,
     /// Whether there is a game, not only questions.
@@ -65,6 +89,18 @@ struct Player {
     tables: Tables,
     /// The number of the next problem that is made without being asked for.
     number: u64,
+    style: Style,
+    /// What the mouse holds.
+    hand: Option<Hand>,
+    /// How much has been helped since the last move.
+    help: Help,
+    /// A move that was refused last.
+    refused: Option<Move>,
+    party: Option<Party>,
+    /// The name of the game that results are kept under, and the best one.
+    best: (String, Option<Best>),
+    /// A solution from the start of a game: where that is, its length, and whether it is proven to be shortest.
+    found: Option<(Wheel, usize, bool)>,
 }
 
 /// The model as `dump` writes it.
@@ -97,6 +133,13 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual, document: Option<
         show: Show::Nothing,
         tables: Tables::default(),
         number: machine.seed(),
+        style: Style { manner: machine.manner(), signs: false },
+        hand: None,
+        help: Help::None,
+        refused: None,
+        party: None,
+        best: (String::new(), None),
+        found: None,
     };
     let mut desk = Desk::new(machine, manual);
     work::run(player, &mut desk, document).await
@@ -116,8 +159,32 @@ impl Picture for Player {
             time: self.clock.time(self.now),
             hint: self.hint.filter(|_| matches!(self.show, Show::Nothing)),
             going_on,
+            slide: self.hand.as_ref().map_or(Slide::None, Hand::slide),
+            told: self.told(language),
+            party: self.party.map(|party| (party, self.now)),
         });
-        View { buttons: self.buttons, board }.draw(screen, language);
+        View { buttons: self.buttons, board, style: self.style }.draw(screen, language);
+    }
+
+    fn hint(&self) -> Option<Hint> {
+        if !self.begun || !matches!(self.show, Show::Nothing) {
+            return None;
+        }
+        let game = self.games.now();
+        let text = if let Some(hint) = self.hint {
+            texts::do_this(hint)
+        } else if let Some(refused) = self.refused {
+            texts::is_in(refused, refused.inverse())
+        } else {
+            match (game.wheel.is_solved(), game.moves) {
+                (true, 0) => texts::FREE,
+                (true, _) => texts::AGAIN,
+                (false, 0) => texts::BEGIN,
+                (false, _) => texts::GO_ON,
+            }
+            .into()
+        };
+        Some(Hint { at: (404, 134), letters: 27, text })
     }
 }
 
@@ -178,6 +245,21 @@ impl Work for Player {
     }
 
     async fn ask_first(&mut self, desk: &mut Desk<'_>) -> Asked<bool> {
+        while desk.machine.manner() == Manner::Today {
+            let asked =
+                puzzles::ask_preset(desk, &*self, texts::ASK_START, &texts::START, Some(Difficulty::Four));
+            let game = match asked.await.unless_cancelled()? {
+                Some(Some(difficulty)) => Game::new(Problem { difficulty, number: self.next_number() }),
+                Some(None) => match work::load(self, desk, Stay::Briefly).await.unless_cancelled()? {
+                    Some(true) => return Ok(true),
+                    _ => continue,
+                },
+                None if desk.machine.return_to_host() => return Err(Stop::Closed),
+                None => Game::from(Wheel::solved()),
+            };
+            self.begin(game);
+            return Ok(true);
+        }
         let question = Question::new(MIDDLE, texts::ASK_GAME, [texts::PLAY, texts::LEARN]);
         let learn = desk.ask(&*self, &question).await.unless_cancelled()? == Some(Answer::Second);
         if learn {
@@ -188,6 +270,11 @@ impl Work for Player {
 
     fn look(&mut self, desk: &Desk<'_>) {
         self.now = desk.clock();
+        let signs = desk.machine.preferences().palette == Palette::ColorBlind;
+        self.style = Style { manner: desk.machine.manner(), signs };
+        if self.party.is_some_and(|party| party.next(self.now).is_none()) {
+            self.party = None;
+        }
     }
 
     fn due(&self) -> Option<Duration> {
@@ -197,7 +284,8 @@ impl Work for Player {
             Show::Demonstration(demonstration) => Some(demonstration.due),
             Show::Nothing => None,
         };
-        let next = going_on.into_iter().chain(self.clock.next_second(self.now)).min()?;
+        let party = self.party.and_then(|party| party.next(self.now));
+        let next = going_on.into_iter().chain(self.clock.next_second(self.now)).chain(party).min()?;
         Some(next.saturating_sub(self.now))
     }
 
@@ -207,9 +295,21 @@ impl Work for Player {
             self.begin(Game::new(problem));
         }
         self.buttons = true;
+        self.hand = None;
         loop {
+            self.look_at_best(desk);
+            desk.set_keys(match desk.machine.manner() {
+                Manner::Original => KEYS,
+                Manner::Today => KEYS_TODAY,
+            });
             let tick = work::event(self, desk).await?;
-            if let Some(next) = self.react(desk, &tick).await.unless_cancelled()?.flatten() {
+            let before = self.games.now().clone();
+            let next = self.react(desk, &tick).await.unless_cancelled()?.flatten();
+            let now = self.games.now();
+            if now.wheel.is_solved() && now.moves > before.moves && !before.wheel.is_solved() {
+                self.celebrate(desk);
+            }
+            if let Some(next) = next {
                 return Ok(next);
             }
         }
@@ -228,11 +328,18 @@ impl Player {
     fn next_number(&mut self) -> u64 {
         let number = self.number;
         self.number = self.number.wrapping_add(1);
-        number
+        match self.style.manner {
+            Manner::Original => number,
+            // A number that can be typed.
+            Manner::Today => number % (MOST as u64 + 1),
+        }
     }
 
     /// The wheel that is to be seen.
     fn shown(&self) -> Wheel {
+        if let Some(hand) = &self.hand {
+            return hand.wheel;
+        }
         match &self.show {
             Show::Demonstration(demonstration) => demonstration.wheel,
             _ => self.games.now().wheel,
@@ -241,7 +348,7 @@ impl Player {
 
     /// Ends what runs by itself; a search leaves its tables for the next one.
     fn stop(&mut self) {
-        self.hint = None;
+        (self.hint, self.refused, self.party) = (None, None, None);
         if let Show::Seeking(seeking) = std::mem::replace(&mut self.show, Show::Nothing) {
             self.tables = seeking.solver.into_tables();
         }
@@ -249,6 +356,11 @@ impl Player {
 
     /// Handles an event or the passing of time; `Some` leaves the game.
     async fn react(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> Asked<Option<Next>> {
+        let today = self.style.manner == Manner::Today;
+        if self.hand.is_some() {
+            self.drag(tick);
+            return Ok(None);
+        }
         let pressed = matches!(tick.event, Some(Event::Key(_) | Event::Press(_)));
         if pressed && !matches!(self.show, Show::Nothing) {
             let was_demonstration = matches!(self.show, Show::Demonstration(_));
@@ -261,7 +373,18 @@ impl Player {
         if tick.event.is_none() {
             self.go_on(desk);
         }
-        let clicked = tick.click().and_then(|(x, y)| move_at(&self.games.now().wheel, x, y));
+        if let Some(control) = TODAY.find(tick).filter(|_| today) {
+            self.control(desk, control).await?;
+            return Ok(None);
+        }
+        let wheel = self.games.now().wheel;
+        let held = tick.click().filter(|_| today).and_then(|at| Hand::new(wheel, at));
+        if held.is_some() {
+            (self.refused, self.party) = (None, None);
+            self.hand = held;
+            return Ok(None);
+        }
+        let clicked = tick.click().and_then(|(x, y)| move_at(&wheel, x, y));
         if let Some(action) = COMMANDS.find(tick) {
             return self.obey(desk, action).await;
         }
@@ -269,13 +392,7 @@ impl Player {
             self.make(a_move);
         }
         if let Some(key @ (Key::Esc | Key::Ctrl('Z' | 'Y' | 'S'))) = tick.key() {
-            self.stop();
-            let before = self.games.now().wheel;
-            work::common_key(self, desk, Some(key)).await?;
-            let wheel = self.games.now().wheel;
-            if wheel != before {
-                self.clock.note(wheel.is_solved(), desk.clock());
-            }
+            self.step(desk, key).await?;
         }
         Ok(None)
     }
@@ -293,6 +410,7 @@ impl Player {
             Show::Playing(playing) => {
                 let (next, over) = (playing.next(now), playing.is_over());
                 if let Some(next) = next {
+                    self.help = Help::Solution;
                     self.change(next);
                 }
                 if over {
@@ -305,8 +423,15 @@ impl Player {
                     self.stop();
                     // A search ends with a solution.
                     let Some(solution) = solution else { return };
+                    let game = self.games.now();
+                    if game.wheel == game.start {
+                        self.found = Some((game.start, solution.moves.len(), solution.proven));
+                    }
                     match aim {
-                        Aim::Hint => self.hint = solution.moves.first().copied(),
+                        Aim::Hint => {
+                            self.hint = solution.moves.first().copied();
+                            self.help = self.help.max(Help::Hints);
+                        }
                         Aim::Solve => {
                             self.show =
                                 Show::Playing(Playing::new(&solution.moves, solution.proven, desk.clock()));
@@ -324,17 +449,143 @@ impl Player {
     }
 
     fn change(&mut self, a_move: Move) {
-        if let Some(game) = self.games.now().after(a_move) {
+        self.change_by(&[a_move]);
+    }
+
+    /// Makes moves that undo takes back together.
+    fn change_by(&mut self, moves: &[Move]) {
+        let mut game = self.games.now().clone();
+        for &a_move in moves {
+            match game.after(a_move) {
+                Some(after) => game = after,
+                None => self.refused = Some(a_move),
+            }
+        }
+        if game.moves > self.games.now().moves {
+            game.help = game.help.max(std::mem::take(&mut self.help));
             self.games.change(game);
             self.clock.note(self.games.now().wheel.is_solved(), self.now);
         }
     }
 
-    /// Commits another game, which undo can leave again.
+    /// Goes on with what the mouse holds; a key puts it back.
+    fn drag(&mut self, tick: &Tick) {
+        let Some(mut hand) = self.hand.take() else { return };
+        match tick.event {
+            Some(Event::Key(_)) => {}
+            Some(Event::Release(MouseButton::Left)) => {
+                hand.follow((tick.mouse.x, tick.mouse.y));
+                self.stop();
+                self.change_by(&hand.moves());
+            }
+            // The button went up while help was read.
+            _ if !tick.mouse.holds(MouseButton::Left) => {}
+            _ => {
+                hand.follow((tick.mouse.x, tick.mouse.y));
+                self.hand = Some(hand);
+            }
+        }
+    }
+
+    /// Carries out what both puzzles can do.
+    async fn control(&mut self, desk: &mut Desk<'_>, control: Control) -> Asked<()> {
+        match control {
+            Control::New => {
+                let before = self.games.now().problem;
+                let difficulty = before.map_or(Difficulty::Four, |problem| problem.difficulty);
+                let number = self.next_number();
+                self.replace(Game::new(Problem { difficulty, number }));
+            }
+            Control::Choose => {
+                self.stop();
+                let now = self.games.now().problem.map_or(Difficulty::Four, |problem| problem.difficulty);
+                let title = texts::ASK_START;
+                let asked = puzzles::ask_preset(desk, &*self, title, &texts::DIFFICULTIES, now);
+                let difficulty = asked.await?;
+                let proposal = self.next_number();
+                let number = puzzles::ask_number(desk, &*self, proposal).await?;
+                self.replace(Game::new(Problem { difficulty, number }));
+            }
+            Control::Hint => self.seek(desk, Aim::Hint),
+            Control::Solve => self.seek(desk, Aim::Solve),
+            Control::Undo => self.step(desk, Key::Ctrl('Z')).await?,
+            Control::Redo => self.step(desk, Key::Ctrl('Y')).await?,
+            Control::Restart => self.replace(self.games.now().restarted()),
+            Control::Help => desk.help().await?,
+        }
+        Ok(())
+    }
+
+    /// A key that every editor shares.
+    async fn step(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<()> {
+        self.stop();
+        let before = self.games.now().wheel;
+        work::common_key(self, desk, Some(key)).await?;
+        let wheel = self.games.now().wheel;
+        if wheel != before {
+            self.clock.note(wheel.is_solved(), desk.clock());
+        }
+        Ok(())
+    }
+
+    /// The name that results of this game are kept under.
+    fn results(&self) -> Option<String> {
+        let problem = self.games.now().problem?;
+        Some(format!("gyongy_k {:?}", problem.difficulty).to_lowercase())
+    }
+
+    fn look_at_best(&mut self, desk: &mut Desk<'_>) {
+        let name = self.results().unwrap_or_default();
+        if name != self.best.0 {
+            let best = desk.machine.bests().and_then(|bests| bests.best(&name));
+            self.best = (name, best);
+        }
+    }
+
+    /// A wheel has just been solved.
+    fn celebrate(&mut self, desk: &mut Desk<'_>) {
+        if self.style.manner == Manner::Original {
+            return;
+        }
+        let game = self.games.now();
+        let (help, moves) = (game.help, game.moves);
+        if let Some(name) = self.results().filter(|_| help == Help::None) {
+            let seconds = self.clock.time(self.now).as_secs();
+            let best = puzzles::keep_best(desk, &name, Best { moves, seconds });
+            self.best = (name, best);
+        }
+        if help != Help::Solution {
+            self.party = Some(Party::new(self.now));
+        }
+    }
+
+    /// More lines beside the board in the manner of today: the best results, and how a solved wheel compares.
+    fn told(&self, language: Language) -> Vec<String> {
+        let game = self.games.now();
+        let mut lines = Vec::new();
+        if self.style.manner == Manner::Original || !matches!(self.show, Show::Nothing) {
+            return lines;
+        }
+        lines.extend(self.best.1.map(|best| puzzles::best_text(best, language)));
+        if game.wheel.is_solved() && game.moves > 0 {
+            lines.push(puzzles::end_text(game.help).of(language).to_owned());
+            let found = self.found.filter(|(start, ..)| *start == game.start);
+            let found = found.map(|(_, count, proven)| (count, proven));
+            let known = found.into_iter().chain(game.problem.and_then(Problem::known));
+            // The shortest one; of two alike the one with a proof.
+            if let Some((count, proven)) = known.min_by_key(|&(count, proven)| (count, !proven)) {
+                lines.push(puzzles::known_text(count, proven, language));
+            }
+        }
+        lines
+    }
+
+    /// Takes up another game that undo leads back from.
     fn replace(&mut self, game: Game) {
         self.stop();
         self.games.change(game);
         self.clock = Stopwatch::default();
+        self.help = Help::None;
     }
 
     /// Carries out a command; `Some` leaves the game.

@@ -3,7 +3,7 @@
 use super::game::Problem;
 use crate::machine::Language;
 use crate::puzzle::wheel::{Difficulty, Move, Progress};
-use crate::ui::{Hot, KeyHelp, Stopwatch, Words, line};
+use crate::ui::{Hot, KeyHelp, Phrase, Stopwatch, Words, line};
 use std::time::Duration;
 
 pub(crate) const PUSH: KeyHelp =
@@ -30,7 +30,54 @@ pub(crate) const STOP: KeyHelp = (
     ),
 );
 
-pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "    What would you like?");
+pub(crate) const LOGO: Words = Words("Emőke játéka", "Emőke's game");
+pub(crate) const GOAL: Words = Words("   Cél", "  Goal");
+pub(crate) const ASK_START: Words = Words("Hány lépés?", "How many moves?");
+/// The presets of the first question; the rest is under P.
+pub(crate) const START: [(Hot, Option<Difficulty>); 5] = [
+    (Hot::new('4', "", ""), Some(Difficulty::Four)),
+    (Hot::new('8', "", ""), Some(Difficulty::Eight)),
+    (Hot::new('1', "6", "6"), Some(Difficulty::Sixteen)),
+    (Hot::new('K', "önyv", "-book"), Some(Difficulty::Book)),
+    (Hot::new('T', "-fájl", "-file"), None),
+];
+pub(crate) const DRAG: KeyHelp = (
+    Words("egér", "mouse"),
+    Words("gyűrű, fiók húzása; kattintás a fiókra: betolás", "drag a ring or a drawer; click to push it"),
+);
+
+/// What can be done at the start of a problem.
+pub(crate) const BEGIN: Words = Words(
+    "Húzza a gyűrűket, tolja a fiókokat (A-F, I-N). H: segítség",
+    "Drag rings, push drawers (or A-F, I-N). H: a hint",
+);
+pub(crate) const GO_ON: Words =
+    Words("H: segítség, F6: elölről, F1: a szabályok", "H: a hint, F6: restart, F1: the rules");
+pub(crate) const FREE: Words =
+    Words("Próbálja ki! F7: új játék, P: szint és szám", "Try it out! F7: new game, P: level and number");
+pub(crate) const AGAIN: Words =
+    Words("F7: új játék, P: nehezebb, F6: még egyszer", "F7: new game, P: a harder one, F6: once more");
+
+/// A drawer that cannot be pushed in any further.
+pub(crate) fn is_in(drawer: Move, opposite: Move) -> Phrase {
+    let (letter, other) = (drawer.letter(), opposite.letter());
+    let article = if matches!(letter, 'A' | 'E' | 'F') { "Az" } else { "A" };
+    Phrase::new(
+        format!("{article} {letter} fiók már bent van; kijön, ha a szemköztit tolja: {other}"),
+        format!("Drawer {letter} is in; push the opposite one, {other}, to bring it out"),
+    )
+}
+
+/// What a hinted move is.
+pub(crate) fn do_this(a_move: Move) -> Phrase {
+    let letter = a_move.letter();
+    Phrase::new(
+        format!("Nyomja le: {letter}, vagy kattintson a zöld körre"),
+        format!("Press {letter}, or click in the green circle"),
+    )
+}
+
+pub(crate) const ASK_GAME: Words = Words("       Konfiguráció ?", "      Configuration ?");
 pub(crate) const PLAY: Hot = Hot::new('J', "áték", "-game");
 pub(crate) const LEARN: Hot = Hot::new('T', "anulás", "-learn");
 pub(crate) const DEMONSTRATION: Hot = Hot::new('X', "-bemut.", "-demo");

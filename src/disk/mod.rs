@@ -1,6 +1,7 @@
 //! What a machine keeps on the disk: the files of a folder, unsaved work, the user's settings. Files are written so
 //! that a crash leaves the old content or the new one.
 
+mod bests;
 mod config;
 mod folder;
 mod read;
@@ -8,6 +9,7 @@ mod recovery;
 mod user_folder;
 mod write;
 
+pub use bests::BestsFile;
 pub use config::ConfigFile;
 pub use folder::Folder;
 pub use read::{LARGEST_FILE, read_limited, read_regular, read_stream, text};

@@ -1,11 +1,12 @@
 //! The options that every program takes.
 
 use super::{TableArgs, config, say};
-use crate::disk::{ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
+use crate::disk::{BestsFile, ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
 use crate::machine::{Keeper, Language, Machine, Manner, Preferences, Script, Settings, Shown};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use std::time::SystemTime;
 
 /// Where a program shows itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -145,25 +146,36 @@ impl RunOptions {
     /// every time. A recorded session keeps its work but is offered none, since the question would not come again when
     /// it is replayed.
     pub(super) fn machine(&self, folder: PathBuf, script: Option<&Script>) -> Machine {
-        let seed = self.seed.unwrap_or(Settings::default().seed);
+        let live = self.script.is_none() && self.display != Some(DisplayKind::None);
+        // A script and a recording play alike every time; who plays for pleasure gets other problems every day.
+        let alike = !live || self.record.is_some();
+        let usual = if alike { Settings::default().seed } else { random_seed() };
+        let seed = self.seed.unwrap_or(usual);
         let settings = Settings { language: self.language(), seed, manner: self.manner() };
         let settings = script.map_or(settings, |script| script.begun_with(settings));
         let recovery = || {
             let offers = if self.record.is_some() { Offers::Nothing } else { Offers::Lost };
             RecoveryFolder::new(UserFolder::State.path(), &folder, offers)
         };
-        let live = self.script.is_none() && self.display != Some(DisplayKind::None);
         let recovery = live.then(recovery);
         let machine = Machine::new(Box::new(Folder::new(folder)), settings);
         let machine = match recovery {
             Some(recovery) => machine.with_recovery(recovery),
             None => machine,
         };
+        // The best results are seen on the screen: a recording without them is replayed alike.
+        let machine = if alike { machine } else { machine.with_bests(BestsFile::default()) };
         match &self.preferences {
             Some(preferences) => machine.with_preferences(preferences.clone(), ConfigFile, locale_language()),
             None => machine,
         }
     }
+}
+
+/// A seed from the time of day, short enough to be typed.
+fn random_seed() -> u64 {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(since.as_millis() % 1_000_000).unwrap_or_default()
 }
 
 /// The manners by their names.

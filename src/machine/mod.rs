@@ -23,6 +23,7 @@
 //! assert_eq!(session.screen().pixel(15, 15), Some(Color::Yellow));
 //! ```
 
+mod bests;
 mod event;
 mod files;
 mod film;
@@ -36,6 +37,7 @@ mod session;
 mod stop;
 mod storage;
 
+pub use bests::{Best, Bests};
 pub use event::{Button, Event, Key, Mouse, Tick};
 pub use files::{Files, Standing};
 pub use port::Wait;
@@ -160,6 +162,7 @@ pub struct Machine {
     keeper: Option<Box<dyn Keeper>>,
     /// The language of the environment, which counts where none is preferred.
     usual_language: Language,
+    bests: Option<Box<dyn Bests>>,
     file: Option<String>,
     seed: u64,
     film: Option<Film>,
@@ -201,6 +204,7 @@ impl Machine {
             recovery: None,
             keeper: None,
             usual_language: settings.language,
+            bests: None,
             file: None,
             seed: settings.seed,
             film: None,
@@ -230,6 +234,13 @@ impl Machine {
         self
     }
 
+    /// The machine with a place that keeps the best results of games; without one, none are kept.
+    #[must_use]
+    pub fn with_bests(mut self, bests: impl Bests + 'static) -> Machine {
+        self.bests = Some(Box::new(bests));
+        self
+    }
+
     fn port(&self) -> Rc<RefCell<Port>> {
         Rc::clone(&self.port)
     }
@@ -252,6 +263,11 @@ impl Machine {
     /// Where unsaved work is kept, if anywhere.
     pub fn recovery(&mut self) -> Option<&mut (dyn Recovery + 'static)> {
         self.recovery.as_deref_mut()
+    }
+
+    /// Where the best results of games are kept, if anywhere.
+    pub fn bests(&mut self) -> Option<&mut (dyn Bests + 'static)> {
+        self.bests.as_deref_mut()
     }
 
     /// The name of the file that the work was last read from or saved to.

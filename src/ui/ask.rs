@@ -321,10 +321,28 @@ impl Desk<'_> {
         picture: &dyn Picture,
         form: &Form<N>,
     ) -> Asked<[f64; N]> {
+        self.numbers_or(picture, form, [const { String::new() }; N]).await
+    }
+
+    /// As [`Desk::numbers`], with proposals that Enter takes.
+    ///
+    /// # Errors
+    /// [`Stop`]: Esc in any of them, or the display is being closed.
+    pub async fn numbers_or<const N: usize>(
+        &mut self,
+        picture: &dyn Picture,
+        form: &Form<N>,
+        proposals: [String; N],
+    ) -> Asked<[f64; N]> {
         let mut entries = form
             .fields
             .each_ref()
             .map(|field| Entry::new(field.area, field.at, field.longest, Accepts::Number));
+        for (entry, proposal) in entries.iter_mut().zip(proposals) {
+            if !proposal.is_empty() {
+                *entry = entry.clone().proposing(proposal);
+            }
+        }
         let mut numbers = [0.0; N];
         let strip = self.strip(TOP);
         for (index, field) in form.fields.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Tables of commands: each row holds key, button, help line and action, so that none is written twice.
 
 use super::desk::KeyHelp;
-use super::frame::Button;
+use super::frame::{Button, Pad};
 use crate::machine::{Key, Language, Tick};
 use crate::screen::Screen;
 
@@ -12,6 +12,8 @@ pub struct Command<A: 'static> {
     pub key: Option<Key>,
     /// The button, whose hot letter is a key too.
     pub button: Option<Button>,
+    /// A button that shows the key, where that is no letter.
+    pub pad: Option<Pad>,
     /// The line of the help page; neighbouring commands may share one.
     pub help: Option<KeyHelp>,
     /// Its action; `None` for a mere help line, such as one about the mouse.
@@ -19,29 +21,36 @@ pub struct Command<A: 'static> {
 }
 
 impl<A: Copy> Command<A> {
+    const NOTHING: Command<A> = Command { key: None, button: None, pad: None, help: None, action: None };
+
+    /// A command whose button shows its key.
+    pub const fn pad(key: Key, pad: Pad, help: KeyHelp, action: A) -> Command<A> {
+        Command { key: Some(key), pad: Some(pad), help: Some(help), action: Some(action), ..Command::NOTHING }
+    }
+
     /// A command with a button.
     pub const fn button(button: Button, help: KeyHelp, action: A) -> Command<A> {
-        Command { key: None, button: Some(button), help: Some(help), action: Some(action) }
+        Command { button: Some(button), help: Some(help), action: Some(action), ..Command::NOTHING }
     }
 
     /// A command with a key and no button.
     pub const fn key(key: Key, help: KeyHelp, action: A) -> Command<A> {
-        Command { key: Some(key), button: None, help: Some(help), action: Some(action) }
+        Command { key: Some(key), help: Some(help), action: Some(action), ..Command::NOTHING }
     }
 
     /// Another key, described by the help line of a neighbour.
     pub const fn also(key: Key, action: A) -> Command<A> {
-        Command { key: Some(key), button: None, help: None, action: Some(action) }
+        Command { key: Some(key), action: Some(action), ..Command::NOTHING }
     }
 
     /// A help line about something that is not a command of this table.
     pub const fn told(help: KeyHelp) -> Command<A> {
-        Command { key: None, button: None, help: Some(help), action: None }
+        Command { help: Some(help), ..Command::NOTHING }
     }
 
     /// A key that is handled elsewhere and must not be used again.
     pub const fn elsewhere(key: Key, help: KeyHelp) -> Command<A> {
-        Command { key: Some(key), button: None, help: Some(help), action: None }
+        Command { key: Some(key), help: Some(help), ..Command::NOTHING }
     }
 
     /// The command without a help line.
@@ -64,7 +73,10 @@ impl<A: Copy> Commands<A> {
     /// The action of a key or of a click on a button; letters work in either case.
     pub fn find(&self, tick: &Tick) -> Option<A> {
         let Some((x, y)) = tick.click() else { return self.of_key(tick.key()?) };
-        let hit = |command: &&Command<A>| command.button.is_some_and(|button| button.hit(x, y));
+        let hit = |command: &&Command<A>| {
+            let pad = command.pad.is_some_and(|pad| pad.area.holds(x, y));
+            pad || command.button.is_some_and(|button| button.hit(x, y))
+        };
         self.0.iter().find(hit)?.action
     }
 
@@ -76,7 +88,14 @@ impl<A: Copy> Commands<A> {
 
     /// Draws the buttons.
     pub fn draw(&self, screen: &mut Screen, language: Language) {
-        self.0.iter().filter_map(|command| command.button).for_each(|button| button.draw(screen, language));
+        for command in self.0 {
+            if let Some(button) = command.button {
+                button.draw(screen, language);
+            }
+            if let (Some(pad), Some(key)) = (command.pad, command.key) {
+                pad.draw(screen, key, language);
+            }
+        }
     }
 
     /// The number of help lines.

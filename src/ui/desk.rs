@@ -141,6 +141,11 @@ impl<'m> Desk<'m> {
         self.manual.name
     }
 
+    /// Shows other keys on the help page, where the manner has other ones.
+    pub fn set_keys(&mut self, keys: &'static [KeyHelp]) {
+        self.manual.keys = keys;
+    }
+
     /// Draws the picture and sleeps until an event for the program. F1 (help), F2 (language), F9 (settings), F10 (figure),
     /// Ctrl+F11 (look of the window), F12 (picture of the screen) and Ctrl+F12 (film) are handled here.
     ///
@@ -281,8 +286,11 @@ impl<'m> Desk<'m> {
         self.notice = self.notice.take().or(filmed).or(other);
     }
 
-    /// Shows the help page and stops the clock meanwhile.
-    async fn help(&mut self) -> Asked<()> {
+    /// Shows the help page and adds up the time it takes.
+    ///
+    /// # Errors
+    /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
+    pub async fn help(&mut self) -> Asked<()> {
         let begun = self.machine.now();
         let ended = self.read_help().await;
         self.away += self.machine.now().saturating_sub(begun);

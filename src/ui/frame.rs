@@ -1,8 +1,8 @@
 //! Drawing of raised and sunken frames, the communication page, black windows and visual buttons (units KOZOS and
 //! GOMB_KEZ of the book).
 
-use super::words::Hot;
-use crate::machine::Language;
+use super::words::{Hot, Words};
+use crate::machine::{Key, Language};
 use crate::screen::{Color, Screen, Stroke};
 
 /// A rectangle by its first and last pixel in each direction.
@@ -117,6 +117,33 @@ impl Button {
     pub fn draw(&self, screen: &mut Screen, language: Language) {
         raised(screen, Area::new(self.x, self.y, self.x + 70, self.y + 12), 1);
         hot_text(screen, self.x + 4, self.y + 2, self.text, Color::Black, language);
+    }
+}
+
+/// A visual button that shows its key in red before its text, for keys that begin no word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pad {
+    /// Where it is.
+    pub area: Area,
+    /// What the key does.
+    pub text: Words,
+}
+
+impl Pad {
+    /// A button of a text with its upper left corner at a place, for 13 letters together with the key.
+    pub const fn new(x: i32, y: i32, text: Words) -> Pad {
+        Pad { area: Area::new(x, y, x + 107, y + 13), text }
+    }
+
+    /// Draws the button with its key.
+    pub fn draw(&self, screen: &mut Screen, key: Key, language: Language) {
+        let Area { x1, y1, x2, y2 } = self.area;
+        screen.bar(x1, y1, x2, y2, Color::LightCyan);
+        raised(screen, self.area, 1);
+        let key = key.to_string();
+        let width = 8 * i32::try_from(key.chars().count()).unwrap_or(0);
+        screen.text(x1 + 2, y1 + 3, &key, Color::Red);
+        screen.text(x1 + 2 + width + 4, y1 + 3, self.text.of(language), Color::Black);
     }
 }
 

@@ -26,7 +26,7 @@ pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, T
 pub use command::{Command, Commands};
 pub use desk::{Desk, END, HINT_LINES, Hint, KeyHelp, Manual, Over, Picture, line};
 pub use entry::{Accepts, Entry, Typed};
-pub use frame::{Area, Button, page, panel, raised, sunken, window};
+pub use frame::{Area, Button, Pad, page, panel, raised, sunken, window};
 pub use lesson::Lesson;
 pub use notice::Stay;
 pub use panel::{Done, Panel, Row, Tab};

@@ -10,7 +10,8 @@ pub(crate) mod shelf;
 use grafika::figure::screen_png;
 use grafika::file::Document;
 use grafika::machine::{
-    Language, Machine, Memory, Outlet, Script, Session, Settings, Storage, StorageError, StorageProblem, play,
+    Language, Machine, Manner, Memory, Outlet, Script, Session, Settings, Storage, StorageError,
+    StorageProblem, play,
 };
 use grafika::screen::Screen;
 use grafika::ui::Program;
@@ -67,6 +68,16 @@ pub(crate) fn play_script(program: Program, storage: Memory, script: &str) -> Ke
     let mut kept = Kept::default();
     let script = Script::parse(script).expect("the test's script is right");
     play(&mut session(program, storage, Settings::default()), &script, &mut kept)
+        .expect("the outlet takes all");
+    kept
+}
+
+/// Plays a script in the manner of today.
+pub(crate) fn play_today(program: Program, script: &str) -> Kept {
+    let mut kept = Kept::default();
+    let script = Script::parse(script).expect("the test's script is right");
+    let settings = Settings { manner: Manner::Today, ..Settings::default() };
+    play(&mut session(program, Memory::default(), settings), &script, &mut kept)
         .expect("the outlet takes all");
     kept
 }

@@ -2,7 +2,7 @@
 
 use super::{Kept, session};
 use grafika::machine::{
-    Button, Event, FRAMES_PER_SECOND, Key, Memory, Recorder, Script, Session, Settings, play,
+    Button, Event, FRAMES_PER_SECOND, Key, Manner, Memory, Recorder, Script, Session, Settings, play,
 };
 use grafika::ui::Program;
 use std::cell::RefCell;
@@ -111,7 +111,13 @@ pub(crate) fn events() -> usize {
 
 /// Sends random events to a program, which is started again whenever it ends.
 pub(crate) fn storm(program: Program, events: usize) {
-    let start = || session(program, Memory::default(), Settings::default());
+    storm_in(program, Manner::default(), events);
+}
+
+/// The same in a manner.
+pub(crate) fn storm_in(program: Program, manner: Manner, events: usize) {
+    let settings = Settings { manner, ..Settings::default() };
+    let start = || session(program, Memory::default(), settings);
     let mut dice = Dice::new(1997);
     let mut running = start();
     let mut now = Duration::ZERO;
