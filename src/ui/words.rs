@@ -143,9 +143,8 @@ pub(crate) const FOLDER_ENTRY: Words = Words("Mappa:", "Folder:");
 
 pub(crate) const HELP_HELP: Words = Words("ez a lap", "this page");
 pub(crate) const HELP_LANGUAGE: Words = Words("nyelv: magyar, angol", "language: Hungarian, English");
-pub(crate) const HELP_LARGEST: Words = Words("teljes képernyő és vissza", "full screen and back");
-pub(crate) const HELP_LOOK: Words =
-    Words("az ablak képe: éles, kitöltő, képcső", "look of the window: sharp, filling, CRT");
+pub(crate) const HELP_WINDOW_LOOK: Words =
+    Words("teljes képernyő; az ablak képe: éles, kitöltő, képcső", "full screen; look: sharp, filling, CRT");
 pub(crate) const HELP_PICTURE: Words = Words("a képernyő mentése PNG-be", "save the screen as PNG");
 pub(crate) const HELP_ESC: Words = Words("kérdés, beírás megszakítása", "cancel a question or an entry");
 pub(crate) const HELP_LEAVE: Words = Words("Vissza: bármely billentyű", "Any key: back");
