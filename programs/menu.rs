@@ -61,8 +61,8 @@ pub const PROGRAM: Program = Program {
     command_line: CommandLine::Usual,
 };
 
-/// The time between two pictures of the chosen program: enough for a small one.
-const STEP: Duration = Duration::from_millis(150);
+/// The time between two pictures of the chosen program: enough for a small one, and under 3 % of a core.
+const STEP: Duration = Duration::from_millis(200);
 /// After so long without a key the pictures stand, so that a forgotten menu takes no power.
 const REST: Duration = Duration::from_secs(30);
 /// Letters in a line about a program.
