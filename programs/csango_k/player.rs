@@ -675,7 +675,8 @@ impl Work for Player {
                     (self.wanted, self.fresh) = (Some(Deal { preset, number }), true);
                 }
                 Some(None) => {
-                    if work::load(self, desk, Stay::Briefly).await.unless_cancelled()? != Some(true) {
+                    let loaded = work::load(self, desk, Stay::Briefly).await.unless_cancelled()?;
+                    if loaded != Some(true) {
                         continue;
                     }
                 }

@@ -78,7 +78,7 @@ fn fitting(storage: &dyn Storage, format: Format) -> Vec<Found> {
     // What cannot be read is left out only where the name alone does not say that it fits.
     let readable = names.filter_map(|(name, built_in)| {
         let document = read_document(storage, &name, format).ok();
-        let lines = document.as_ref().map(|document| lines_of(document)).unwrap_or_default();
+        let lines = document.as_ref().map(lines_of).unwrap_or_default();
         (document.is_some() || ending != ".json").then_some(Found { name, built_in, lines })
     });
     readable.collect()

@@ -99,7 +99,7 @@ impl Document {
         }
         match (found, best) {
             (Some((_, document)), _) => Ok(document),
-            (None, Some(refusal)) if refusal.stage > Stage::NoTable || options.columns.is_some() => {
+            (None, Some(refusal)) if refusal.stage > Stage::Table || options.columns.is_some() => {
                 Err(refusal.error)
             }
             (None, _) => Err(no_table(&lines)),

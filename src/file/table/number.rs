@@ -52,11 +52,11 @@ impl<'c> Number<'c> {
     /// Its value with this decimal sign; the other one stands between thousands. Infinite if it is too large.
     pub(super) fn value(self, decimal: Decimal) -> f64 {
         // Almost all numbers are as Rust writes them.
-        if decimal == Decimal::Point && self.cell.bytes().all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b))
-        {
-            if let Ok(value) = self.cell.parse() {
-                return value;
-            }
+        let plain = |sign: u8| sign.is_ascii_digit() || b"+-.eE".contains(&sign);
+        let value =
+            self.cell.parse().ok().filter(|_| decimal == Decimal::Point && self.cell.bytes().all(plain));
+        if let Some(value) = value {
+            return value;
         }
         let (negative, mantissa, exponent) = parts(self.cell);
         let mut text = String::from(if negative { "-" } else { "" });

@@ -8,15 +8,15 @@ use super::number::{Number, Signs};
 use super::options::{Columns, Decimal, Delimiter, TableOptions};
 use super::text::Lines;
 
-/// How far the reading of a table has come.
+/// What the reading of a table has failed at, the earliest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Stage {
     /// With this delimiter it is no table of numbers.
-    NoTable,
+    Table,
     /// It is one, but which columns count is not known.
-    NoColumns,
+    Columns,
     /// The columns are known, but not every cell in them is a number.
-    NoNumbers,
+    Numbers,
 }
 
 /// Why a table is not read with a delimiter.
@@ -56,7 +56,7 @@ impl Table {
         delimiter: Delimiter,
         options: &TableOptions,
     ) -> Result<Table, Refusal> {
-        let grid = Grid::read(lines, delimiter).map_err(|error| Refusal { stage: Stage::NoTable, error })?;
+        let grid = Grid::read(lines, delimiter).map_err(|error| Refusal { stage: Stage::Table, error })?;
         let place = match Place::by_header(&grid, delimiter, options)? {
             Some(place) => place,
             None => Place::by_rows(&grid, lines, delimiter, options)?,
@@ -66,7 +66,7 @@ impl Table {
 
     /// The points in the rows.
     pub(super) fn points(&self, options: &TableOptions) -> Result<Document, Refusal> {
-        let refuse = |error| Refusal { stage: Stage::NoNumbers, error };
+        let refuse = |error| Refusal { stage: Stage::Numbers, error };
         let decimal = self.decimal(options).map_err(refuse)?;
         let mut points = Vec::with_capacity(self.grid.len().saturating_sub(self.place.first));
         for row in self.place.first..self.grid.len() {
@@ -181,7 +181,7 @@ impl Place {
                 }
                 Err(doubt @ Unchosen::Twice(_)) => {
                     let problem = doubt.problem(&names, names.len());
-                    return Err(Refusal::new(Stage::NoColumns, grid.line(row), problem));
+                    return Err(Refusal::new(Stage::Columns, grid.line(row), problem));
                 }
                 Err(_) => {}
             }
@@ -208,12 +208,12 @@ impl Place {
                 }
                 None => "there is no row of numbers".to_owned(),
             };
-            return Err(Refusal::new(Stage::NoTable, grid.line(0), problem));
+            return Err(Refusal::new(Stage::Table, grid.line(0), problem));
         };
         let line = grid.line(first);
         // What another delimiter would separate into numbers is not one cell.
         if options.delimiter.is_none() && (first..grid.len()).any(|row| grid.cells(row).any(is_several)) {
-            return Err(Refusal::new(Stage::NoTable, line, "other signs separate the numbers".to_owned()));
+            return Err(Refusal::new(Stage::Table, line, "other signs separate the numbers".to_owned()));
         }
         let mut names = names_above(grid, first, delimiter);
         // A comment may be longer than the rows, a header not.
@@ -235,7 +235,7 @@ impl Place {
         };
         let Chosen(columns) = chosen.map_err(|doubt| {
             let few = matches!(doubt, Unchosen::Few(_));
-            let stage = if few { Stage::NoTable } else { Stage::NoColumns };
+            let stage = if few { Stage::Table } else { Stage::Columns };
             Refusal::new(stage, line, doubt.problem(&names, count))
         })?;
         let alone = grid.len() == 1 && names.is_empty() && options.delimiter.is_none();
@@ -246,7 +246,7 @@ impl Place {
                     "\"{cell}\" alone may be a point or a number with a decimal comma; {} comma makes it a point",
                     TableOptions::DELIMITER
                 );
-                return Err(Refusal::new(Stage::NoColumns, line, problem));
+                return Err(Refusal::new(Stage::Columns, line, problem));
             }
         }
         Ok(Place { names, columns, first, bounded })
