@@ -101,7 +101,7 @@ fn lines_of(document: &Document) -> Vec<Vec<Point<2>>> {
                 Some(if plane.tangents.is_some() { Method::Hermite } else { Method::Spline });
         }
         Document::SpacePoints(space) => {
-            space.settings.method = space.settings.method.or(Some(Method::Spline))
+            space.settings.method = space.settings.method.or(Some(Method::Spline));
         }
         _ => {}
     }
