@@ -376,7 +376,6 @@ fn the_field_is_empty_until_there_is_a_configuration_and_the_view_stays() {
 fn random_events_do_no_harm() {
     let events = random::events();
     random::storm(PROGRAM, events);
-    random::storm_in(PROGRAM, Manner::Today, events);
     for seed in 1..4 {
         let kept = run(&random::script(seed, events / 10));
         // The program may have ended before; then there is no model.

@@ -232,7 +232,6 @@ fn a_recorded_session_replays_to_the_same_picture() {
 #[test]
 fn random_events_do_no_harm() {
     random::storm(PROGRAM, random::events());
-    random::storm_in(PROGRAM, Manner::Today, random::events());
 }
 
 /// The end of a script in the manner of today.

@@ -109,13 +109,12 @@ pub(crate) fn events() -> usize {
     std::env::var("GRAFIKA_EVENTS").ok().and_then(|text| text.parse().ok()).unwrap_or(3000)
 }
 
-/// Sends random events to a program, which is started again whenever it ends.
+/// Sends random events to a program in either manner; it is started again whenever it ends.
 pub(crate) fn storm(program: Program, events: usize) {
-    storm_in(program, Manner::default(), events);
+    [Manner::Original, Manner::Today].into_iter().for_each(|manner| storm_in(program, manner, events));
 }
 
-/// The same in a manner.
-pub(crate) fn storm_in(program: Program, manner: Manner, events: usize) {
+fn storm_in(program: Program, manner: Manner, events: usize) {
     let settings = Settings { manner, ..Settings::default() };
     let start = || session(program, Memory::default(), settings);
     let mut dice = Dice::new(1997);
@@ -137,15 +136,21 @@ pub(crate) fn storm_in(program: Program, manner: Manner, events: usize) {
     println!("{}: {events} events in {:.1} s", program.manual.name, begun.elapsed().as_secs_f64());
 }
 
-/// Plays a script while it is recorded, plays the recording, and compares the screens.
+/// Plays a script in either manner while it is recorded, plays the recording, and compares the screens.
 pub(crate) fn assert_replays(program: Program, script: &str) {
+    for manner in [Manner::Original, Manner::Today] {
+        assert_replays_in(program, &format!("manner {}\n{script}", manner.name()));
+    }
+}
+
+fn assert_replays_in(program: Program, script: &str) {
     let run = |script: &str, recorder: Option<Recorder>| -> Session {
-        let mut running = session(program, Memory::default(), Settings::default());
+        let parsed = Script::parse(script).expect("the script is right");
+        let mut running = session(program, Memory::default(), parsed.begun_with(Settings::default()));
         if let Some(recorder) = recorder {
             running.record(recorder);
         }
-        let script = Script::parse(script).expect("the script is right");
-        play(&mut running, &script, &mut Kept::default()).expect("the outlet takes all");
+        play(&mut running, &parsed, &mut Kept::default()).expect("the outlet takes all");
         running.finish_recording().expect("memory takes all");
         running
     };
