@@ -669,21 +669,19 @@ impl Work for Player {
         while desk.machine.manner() == Manner::Today {
             let title = texts::ASK_START;
             let asked = puzzles::ask_preset(desk, &*self, title, &texts::START, Some(Preset::Three));
-            match asked.await.unless_cancelled()? {
+            let begun = match asked.await.unless_cancelled()? {
                 Some(Some(preset)) => {
                     let number = self.next_number();
                     (self.wanted, self.fresh) = (Some(Deal { preset, number }), true);
+                    true
                 }
-                Some(None) => {
-                    let loaded = work::load(self, desk, Stay::Briefly).await.unless_cancelled()?;
-                    if loaded != Some(true) {
-                        continue;
-                    }
-                }
+                Some(None) => work::load(self, desk, Stay::Briefly).await.unless_cancelled()? == Some(true),
                 None if desk.machine.return_to_host() => return Err(Stop::Closed),
-                None => {}
+                None => true,
+            };
+            if begun {
+                return Ok(true);
             }
-            return Ok(true);
         }
         Ok(false)
     }
