@@ -19,14 +19,12 @@ const MANUAL: Manual = Manual {
     name: "csango_k",
     about: Words("A Csángó kocka tizennégy eleme", "The fourteen pieces of the Csángó cube"),
     intro: Words(
-        "Cél: a tizennégy elemből 4 x 4 x 4-es kocka az asztal közepén. Kezdje egy könnyű játékkal, ahol csak néhány elem \
-         hiányzik: kattintson egy elemre, húzza az egérrel, emelje a görgővel, fordítsa az R, S, T betűkkel, és ha elakad, \
-         kérjen segítséget. Az elemek milliónyi módon töltik ki a kockát, és mindegyik felépíthető egyenként betolt \
-         elemekből.",
-        "The goal: a cube of 4 x 4 x 4, made of the fourteen pieces in the middle of the table. Start with an easy game, \
-         where only some pieces are missing: click a piece, drag it with the mouse, lift it with the wheel, turn it with \
-         R, S, T, and ask for a hint when you are stuck. The pieces fill the cube in millions of ways, and every one of \
-         them can be built by moving in one piece after another.",
+        "Cél: a tizennégy elemből 4 x 4 x 4-es kocka az asztal közepén. Kezdje egy könnyű játékkal: kattintson egy \
+         elemre, húzza, emelje a görgővel, fordítsa az R, S, T betűkkel; H segít. Az elemek milliónyi módon töltik ki \
+         a kockát: a betolásuk sorrendje a feladvány.",
+        "The goal: a cube of 4 x 4 x 4 out of the fourteen pieces in the middle of the table. Start with an easy \
+         game: click a piece, drag it, lift it by the wheel, turn it with R, S, T; H helps. The pieces fill the cube \
+         in millions of ways: the order in which they go in is the puzzle.",
     ),
     keys: player::KEYS,
     lesson: &[],

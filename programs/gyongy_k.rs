@@ -16,14 +16,12 @@ const MANUAL: Manual = Manual {
     name: "gyongy_k",
     about: Words("Gyöngykerék, logikai játék", "The bead wheel, a logic puzzle"),
     intro: Words(
-        "Cél: minden karban egyszínű gyöngyök, középen a szürke, a fiókok a helyükön; a betolt fiók sora átcsúszik a \
-         középponton és kitolja a szemközti fiókot, a három gyűrű pedig körbeviszi a gyöngyöket. Kezdje egy könnyű \
-         játékkal: tolja a fiókokat, forgassa a gyűrűket egérrel vagy betűkkel, és ha elakad, kérjen segítséget. Minden \
-         lépésnek van ellenkezője, ezért minden állásból vissza lehet jutni.",
-        "The goal: each arm holds beads of one colour, the grey bead is in the centre and the drawers are at home; a \
-         drawer that is pushed in moves its row through the centre and the opposite drawer out, and three rings carry \
-         beads around. Start with an easy game: push drawers and turn rings with the mouse or by their letters, and \
-         ask for a hint when you are stuck. Every move has an opposite, so there is a way back from every position.",
+        "Cél: minden karban egyszínű gyöngyök, középen a szürke, a fiókok a helyükön. Kezdje egy könnyű játékkal: \
+         húzza a gyűrűket, tolja be a fiókokat, ha elakad, H segít. A betolt fiók a szemköztit kitolja; minden \
+         lépésnek van ellenkezője.",
+        "The goal: beads of one colour in every arm, the grey one in the centre, the drawers at home. Start with an \
+         easy game: drag rings, push drawers in, H helps when you are stuck. A drawer pushed in pushes the opposite \
+         one out; every move has an opposite.",
     ),
     keys: player::KEYS,
     lesson: &[],

@@ -5,7 +5,7 @@ mod common;
 
 use common::{Kept, pictures, play_script, play_today, random};
 use grafika::file::{Document, Format};
-use grafika::machine::{Manner, Memory, Script, Storage, play};
+use grafika::machine::{Memory, Script, Storage, play};
 use grafika::programs::csango_k::PROGRAM;
 use grafika::puzzle::cube::{Action, CsangoCube, Move, Rules, Way};
 use serde_json::Value;

@@ -105,7 +105,7 @@ fn the_line_tells_the_residuals_of_the_points() {
     // To standard output the very same, with the line out of the way.
     let [csv, line] = done(&["Y.IP2", "-o", "-"]);
     assert_eq!(csv.into_bytes(), std::fs::read(path("y.csv")).unwrap());
-    assert_eq!(line, stdout);
+    assert_eq!(line, format!("grafika: {stdout}"));
 }
 
 #[test]

@@ -270,7 +270,7 @@ fn the_menu_starts_programs_and_is_there_again() {
     terminal.wait("the search given up", |terminal| !terminal.contents().contains("Programs: vjs"));
     terminal.send("\x1b");
     // Esc alone is a key only once nothing has followed it.
-    terminal.wait_for("End of work ?");
+    terminal.wait_for("Quit?");
     terminal.send("y");
     assert_eq!(ended(&mut terminal), 0);
 }

@@ -142,3 +142,19 @@ fn the_manner_of_1997_knows_nothing_of_it() {
     play(&mut session(IP, Memory::default(), Settings::default()), &script, &mut kept).unwrap();
     assert_eq!(points(&kept.models["end.json"]).len(), 0);
 }
+
+#[test]
+fn surfaces_leave_the_program_as_models() {
+    for (key, name, begin) in
+        [('E', "S.step", "ISO-10303-21"), ('L', "S.stl", ""), ('O', "S.obj", ""), ('Y', "S.ply", "ply")]
+    {
+        let disk = SharedDisk::default();
+        let script = format!(
+            "key T\ntype A\nkey Enter\nkey F10\nshot kinds.png\nkey {key}\ntype S\nkey Enter\nwait 10\n"
+        );
+        let kept = played_on(zm_hspl::PROGRAM, disk.clone(), &script);
+        assert_eq!(disk.names(), [name]);
+        assert!(disk.file(name).starts_with(begin.as_bytes()), "{name}");
+        pictures::assert_golden("today_kinds", &kept.pictures["kinds.png"]);
+    }
+}

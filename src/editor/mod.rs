@@ -18,7 +18,7 @@ mod seen;
 mod stage;
 
 use crate::file::{Document, Format, Method};
-use crate::geometry::Point;
+use crate::geometry::{ParamSurface, Point};
 use crate::machine::{Asked, Asking, Button, Event, Key, Manner, Tick};
 use crate::ui::words::Phrase;
 use crate::ui::{Commands, Desk, Manual, Start, Stay};
@@ -68,6 +68,10 @@ trait Craft<const D: usize>: Sized + 'static {
     fn behave(&mut self, _: Manner) {}
     /// Whether the value has a curve or surface.
     fn has_shape(editor: &Editor<Self, D>) -> bool;
+    /// The surface as a model for other programs.
+    fn surface(_: &Editor<Self, D>) -> Option<Box<dyn ParamSurface>> {
+        None
+    }
     /// What can be done now.
     fn hint(editor: &Editor<Self, D>) -> Option<Phrase>;
     /// The model as `dump` writes it.

@@ -5,6 +5,7 @@ use super::lens::Lens;
 use super::stage::Stage;
 use super::{Craft, Editor, seen};
 use crate::figure::Figure;
+use crate::geometry::ParamSurface;
 use crate::machine::Language;
 use crate::screen::{Color, Screen};
 use crate::ui::{self, Hint, Picture, TOP};
@@ -46,6 +47,10 @@ impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {
             return None;
         }
         seen::figure(&C::seen(self), &self.lens)
+    }
+
+    fn surface(&self) -> Option<Box<dyn ParamSurface>> {
+        C::surface(self).filter(|_| self.stage.begun())
     }
 
     fn hint(&self) -> Option<Hint> {

@@ -1,6 +1,6 @@
 //! The errors of writing pictures and models.
 
-use crate::geometry::COORDINATE_LIMIT;
+use crate::geometry::{COORDINATE_LIMIT, GeometryError};
 use std::fmt;
 
 /// Why a picture or model cannot be written. Items of a kind are counted from 1 in the order of adding.
@@ -40,6 +40,8 @@ pub enum FigureError {
         /// The greatest length in characters.
         most: usize,
     },
+    /// The mathematics has no answer.
+    Geometry(GeometryError),
     /// A surface that is no more than a line or a point.
     NoArea,
     /// A closed surface that lies in a plane.
@@ -69,6 +71,7 @@ pub enum FigureError {
 impl fmt::Display for FigureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            FigureError::Geometry(error) => error.fmt(f),
             Self::Coordinate { item, value } if value.is_finite() => {
                 write!(f, "{item}: coordinate {value:e} is too large; at most {COORDINATE_LIMIT:e}")
             }
@@ -122,5 +125,11 @@ impl std::error::Error for FigureError {}
 impl From<png::EncodingError> for FigureError {
     fn from(error: png::EncodingError) -> FigureError {
         FigureError::Encoding(error.to_string())
+    }
+}
+
+impl From<GeometryError> for FigureError {
+    fn from(error: GeometryError) -> FigureError {
+        FigureError::Geometry(error)
     }
 }

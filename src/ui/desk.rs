@@ -5,6 +5,7 @@ use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
 use crate::figure::{Figure, wrap};
+use crate::geometry::ParamSurface;
 use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Preference, Preferences, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
 use std::pin::Pin;
@@ -17,6 +18,11 @@ pub trait Picture {
 
     /// Its geometry without title and axes, which F10 saves. If it is `None`, F10 saves the screen.
     fn figure(&self) -> Option<Figure> {
+        None
+    }
+
+    /// The surface that it shows, which F10 can save as a model too.
+    fn surface(&self) -> Option<Box<dyn ParamSurface>> {
         None
     }
 
@@ -81,6 +87,10 @@ impl<F: Fn(&mut Screen, Language)> Picture for Over<'_, F> {
 
     fn figure(&self) -> Option<Figure> {
         self.under.figure()
+    }
+
+    fn surface(&self) -> Option<Box<dyn ParamSurface>> {
+        self.under.surface()
     }
 }
 

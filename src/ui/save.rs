@@ -10,9 +10,11 @@ use super::frame::Area;
 use super::notice::Stay;
 use super::words::{self, Hot, Phrase};
 use crate::figure::{
-    Axes, Figure, FigureError, SMALLEST_WIDTH, screen_pdf, screen_png, screen_png_of_scale, screen_svg,
+    Axes, Figure, FigureError, ModelFormat, SMALLEST_WIDTH, screen_pdf, screen_png, screen_png_of_scale,
+    screen_svg,
 };
-use crate::machine::{Asked, free_name};
+use crate::geometry::ParamSurface;
+use crate::machine::{Asked, Manner, free_name};
 use crate::screen::{Color, Screen, WIDTH};
 use std::ops::RangeInclusive;
 
@@ -24,14 +26,32 @@ enum Kind {
     Pdf,
 }
 
-impl Kind {
-    /// Every format with its extension, its answer, and the left and right edge of the answer on the page.
-    const ALL: [(Kind, &'static str, Hot, (i32, i32)); 3] = [
-        (Kind::Svg, "svg", words::SVG, (16, 66)),
-        (Kind::Png, "png", words::PNG, (86, 136)),
-        (Kind::Pdf, "pdf", words::PDF, (156, 226)),
-    ];
+/// What is saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wanted {
+    Figure(Kind),
+    Model(ModelFormat),
 }
+
+/// What can be saved, with its extension, its answer, and the left and right edge of the answer on the page.
+type Offer = (Wanted, &'static str, Hot, (i32, i32));
+
+/// The figures.
+const FIGURES: [Offer; 3] = [
+    (Wanted::Figure(Kind::Svg), "svg", words::SVG, (16, 66)),
+    (Wanted::Figure(Kind::Png), "png", words::PNG, (86, 136)),
+    (Wanted::Figure(Kind::Pdf), "pdf", words::PDF, (156, 226)),
+];
+/// The models, which stand above them.
+const MODELS: [Offer; 4] = [
+    (Wanted::Model(ModelFormat::Step), "step", Hot::new('E', "-STEP", "-STEP"), (4, 62)),
+    (Wanted::Model(ModelFormat::Stl), "stl", Hot::new('L', "-STL", "-STL"), (66, 116)),
+    (Wanted::Model(ModelFormat::Obj), "obj", Hot::new('O', "BJ", "BJ"), (122, 162)),
+    (Wanted::Model(ModelFormat::Ply), "ply", Hot::new('Y', "-PLY", "-PLY"), (168, 226)),
+];
+
+/// Steps a span of a model that is a mesh.
+const STEPS: usize = 10;
 
 /// The proposed width of a PNG in pixels.
 const WIDTH_PROPOSED: &str = "1280";
@@ -65,7 +85,17 @@ impl Desk<'_> {
             self.tell(words::figure_problem(&error), Stay::UntilRead);
             return Ok(());
         }
-        let (kind, extension) = self.ask_kind(picture).await?;
+        // The originals show no models: their questions stay as they are.
+        let surface = picture.surface().filter(|_| self.machine.manner() == Manner::Today);
+        let (wanted, extension) = self.ask_format(picture, surface.is_some()).await?;
+        let kind = match (wanted, surface) {
+            (Wanted::Model(format), Some(surface)) => {
+                return self.save_model(picture, format, &*surface, extension).await;
+            }
+            (Wanted::Figure(kind), _) => kind,
+            // Models are offered of surfaces alone.
+            (Wanted::Model(_), None) => return Ok(()),
+        };
         let width = match kind {
             Kind::Png => self.ask_width(picture, content.widths()).await?,
             Kind::Svg | Kind::Pdf => 0,
@@ -89,17 +119,45 @@ impl Desk<'_> {
         Ok(())
     }
 
-    async fn ask_kind(&mut self, picture: &dyn Picture) -> Asked<(Kind, &'static str)> {
+    async fn save_model(
+        &mut self,
+        picture: &dyn Picture,
+        format: ModelFormat,
+        surface: &dyn ParamSurface,
+        extension: &str,
+    ) -> Asked<()> {
+        let name = self.ask_name(picture, extension).await?;
+        let made = format.encode(surface, STEPS, stem(&name)).map_err(|error| words::figure_problem(&error));
+        let saved = made.and_then(|(file, warning)| {
+            let written = self.machine.storage().write(&name, &file);
+            written.map_err(|error| words::storage_problem(&error)).map(|()| warning)
+        });
+        match saved {
+            Ok(None) => self.tell(words::figure_saved(&name), Stay::Briefly),
+            Ok(Some(warning)) => self.tell(Phrase::plain(&warning), Stay::UntilRead),
+            Err(problem) => self.tell(problem, Stay::UntilRead),
+        }
+        Ok(())
+    }
+
+    async fn ask_format(&mut self, picture: &dyn Picture, models: bool) -> Asked<(Wanted, &'static str)> {
         let (x, y) = TOP;
-        let answer = |(kind, extension, text, (left, right)): (Kind, &'static str, Hot, (i32, i32))| {
-            (Area::new(x + left, y + 21, x + right, y + 34), text, (kind, extension))
+        let answer = |top: i32| {
+            move |(wanted, extension, text, (left, right)): Offer| {
+                (Area::new(x + left, y + top, x + right, y + top + 13), text, (wanted, extension))
+            }
         };
-        let choices = Choices {
+        let mut choices = Choices {
             place: TOP,
             captions: vec![Caption { at: (x + 7, y + 8), text: words::ASK_KIND.into(), color: Color::Black }],
-            answers: Kind::ALL.map(answer).into(),
+            answers: FIGURES.map(answer(21)).into(),
         };
-        self.choose_or(picture, &choices, Some((Kind::Svg, "svg"))).await
+        if models {
+            // There is no room for the question besides; two rows of formats ask enough.
+            choices.captions.clear();
+            choices.answers.extend(MODELS.map(answer(4)));
+        }
+        self.choose_or(picture, &choices, Some((Wanted::Figure(Kind::Svg), "svg"))).await
     }
 
     /// Asks for the width of a PNG until it is a number, and clamps it to the range.

@@ -504,9 +504,8 @@ pub(crate) const FILLED_LEGEND: Words = Words("T - tele", "T - hidden lines");
 pub(crate) const NO_SURFACE: Words = Words("Előbb felületet rajzoljon: F", "Draw a surface first (F)");
 pub(crate) const SURFACE_FOLLOWS: Words = Words("A felület követi a hálót", "The surface follows the net");
 pub(crate) const SURFACE_FOLLOWS_NOT: Words = Words("Csak húzáskor követ", "Follows only while dragging");
-pub(crate) const BORDER_REACHED: Words = Words("A felület a peremig ér", "It ends at the border");
-pub(crate) const BORDER_DOUBLED: Words =
-    Words("A felület a perem előtt ér véget", "It ends before the border");
+pub(crate) const BORDER_REACHED: Words = Words("A peremig ér", "It ends at the border");
+pub(crate) const BORDER_DOUBLED: Words = Words("A perem előtt ér véget", "It ends before the border");
 pub(crate) const COLLAPSED: Words = Words(
     "A háló egy vonalon fekszik: a felület vonallá zsugorodik",
     "The net lies on a line, and so does the surface",

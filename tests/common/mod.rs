@@ -124,6 +124,9 @@ impl Storage for SharedDisk {
     fn find(&self, name: &str) -> Option<String> {
         self.files.borrow().find(name)
     }
+    fn names(&self) -> Vec<String> {
+        SharedDisk::names(self)
+    }
 }
 
 /// A disk that takes nothing.

@@ -237,7 +237,8 @@ mod tests {
             let script = String::from_utf8(completions(&mut whole(), *shell)).unwrap();
             walk(&whole(), "grafika", &mut |command, path| {
                 assert!(script.contains(command.get_name()), "{path}");
-                for long in command.get_arguments().filter_map(clap::Arg::get_long) {
+                let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
+                for long in told.filter_map(clap::Arg::get_long) {
                     // fish writes the dashes apart.
                     let told =
                         script.contains(&format!("--{long}")) || script.contains(&format!("-l {long}"));
@@ -263,7 +264,8 @@ mod tests {
                 (_, false) => text(&format!("grafika-{name}.1")),
             };
             assert!(page.contains(".SH EXAMPLES\n"), "{path}");
-            for long in command.get_arguments().filter_map(clap::Arg::get_long) {
+            let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
+            for long in told.filter_map(clap::Arg::get_long) {
                 assert!(page.contains(&format!("--{long}")), "{path} --{long}");
             }
             if let Some(program) = by_name(name) {

@@ -5,8 +5,7 @@ use crate::sample::{SURFACE_STEPS, extension};
 use clap::Args;
 use grafika::design::{Design, NetDesign, Shape, Sketch};
 use grafika::figure::{
-    Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, Mesh, NOMINAL_WIDTH, SMALLEST_WIDTH, closure,
-    surface_step,
+    Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, ModelFormat, NOMINAL_WIDTH, SMALLEST_WIDTH, closure,
 };
 use grafika::file::SPACE_VIEW;
 use grafika::geometry::{BoundingBox, Closure, GeometryError, ParamSurface, Point, View};
@@ -138,24 +137,19 @@ impl Render {
             return Err(Failure::usage(format!("{option} is for pictures; models have no such thing")));
         }
         let surface = net.solid().map_err(Failure::work)?;
-        if matches!(format, Format::Step) {
-            let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
-            return surface_step(&*surface, &name.unwrap_or_default())
-                .map(String::into_bytes)
-                .map_err(Failure::work);
-        }
-        let mesh = Mesh::from_grid(&surface.grid(steps).map_err(Failure::work)?).map_err(Failure::work)?;
-        let content = match format {
-            Format::Obj => Ok(mesh.to_obj().into_bytes()),
-            Format::Stl => mesh.to_stl().map(|stl| {
-                if let Some(warning) = stl.warning() {
-                    say("grafika", &warning);
-                }
-                stl.bytes
-            }),
-            _ => mesh.to_ply(),
+        let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
+        let model = match format {
+            Format::Step => ModelFormat::Step,
+            Format::Stl => ModelFormat::Stl,
+            Format::Obj => ModelFormat::Obj,
+            _ => ModelFormat::Ply,
         };
-        content.map_err(Failure::work)
+        let made = model.encode(&*surface, steps, &name.unwrap_or_default());
+        let (content, warning) = made.map_err(Failure::work)?;
+        if let Some(warning) = warning {
+            say("grafika", &warning);
+        }
+        Ok(content)
     }
 
     /// The visible lines of a surface, with its net over them.

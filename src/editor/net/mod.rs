@@ -22,7 +22,7 @@ use super::stage::Stage;
 use super::{Craft, Editor, refusal};
 use crate::design::{DesignError, Index, NetDesign, Part};
 use crate::file::{Document, Format, Method, Net, NetSettings};
-use crate::geometry::{Border, Point};
+use crate::geometry::{Border, ParamSurface, Point};
 use crate::machine::{Asked, Asking, Tick};
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase};
@@ -152,6 +152,10 @@ impl Craft<3> for Nets {
     /// Whether there is one shows when it is drawn.
     fn has_shape(_: &Editor<Nets, 3>) -> bool {
         true
+    }
+
+    fn surface(editor: &Editor<Nets, 3>) -> Option<Box<dyn ParamSurface>> {
+        editor.history.now().solid().ok()
     }
 
     fn hint(editor: &Editor<Nets, 3>) -> Option<Phrase> {
