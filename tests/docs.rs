@@ -24,8 +24,54 @@ fn run(script: &str, picture: &Path) {
 
 #[test]
 fn the_pictures_show_the_programs_of_today() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pictures");
-    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs");
+    assert_made_by_scripts("docs/pictures");
+}
+
+#[test]
+fn the_first_steps_lead_where_they_say() {
+    assert_made_by_scripts("docs/first_steps");
+}
+
+/// Every program has its first steps, which are few.
+#[test]
+fn first_steps_are_few() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/first_steps");
+    let page = std::fs::read_to_string(folder.with_extension("md")).expect("the page is there");
+    for program in grafika::programs::ALL.iter().filter(|program| program.manual.name != "telepit") {
+        let name = program.manual.name;
+        let script = std::fs::read_to_string(folder.join(name).with_extension("script")).expect(name);
+        let apart = ["#", "lang", "manner", "wait"];
+        let steps = script.lines().filter(|line| !apart.iter().any(|word| line.starts_with(word))).count();
+        assert!((1..=10).contains(&steps), "{name}: {steps} steps");
+        assert!(page.contains(&format!("first_steps/{name}.png")), "{name} is not on the page");
+    }
+}
+
+/// The film is made by the program itself.
+#[test]
+fn the_film_is_made_by_its_script() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/first_steps");
+    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("film");
+    let _ = std::fs::remove_dir_all(&made);
+    std::fs::create_dir_all(&made).expect("a folder of the build");
+    let ran = Command::new(env!("CARGO_BIN_EXE_gb_2d_ip"))
+        .arg("--script")
+        .arg(folder.join("film.txt"))
+        .current_dir(&made)
+        .status();
+    assert!(ran.expect("the program starts").success());
+    let film = std::fs::read(made.join("gb_2d_ip-1.gif")).expect("the film is there");
+    if std::env::var_os("UPDATE_PICTURES").is_some() {
+        std::fs::write(folder.join("film.gif"), &film).expect("the film can be written");
+    }
+    let expected = std::fs::read(folder.join("film.gif")).expect("the film is in the documentation");
+    assert!(film == expected, "docs/first_steps/film.gif is out of date; UPDATE_PICTURES=1 renews it");
+}
+
+/// Asserts that every picture of a folder is what the script beside it makes.
+fn assert_made_by_scripts(folder: &str) {
+    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join(folder);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     std::fs::create_dir_all(&made).expect("a folder of the build");
     let mut wrong = Vec::new();
     for entry in std::fs::read_dir(&folder).expect("the folder is there") {
