@@ -160,12 +160,17 @@ impl Desktop {
         sent.unwrap().check().unwrap();
     }
 
-    /// Clicks a pixel of the picture, without any time between press and release.
-    fn click(&self, pixel: (i32, i32)) {
+    /// Moves the mouse to a pixel of the picture.
+    fn point(&self, pixel: (i32, i32)) {
         let (x, y) = self.place(pixel);
         let translated = self.connection.translate_coordinates(self.window, self.root, x as i16, y as i16);
         let on_root = translated.unwrap().reply().unwrap();
         self.fake(xproto::MOTION_NOTIFY_EVENT, 0, i32::from(on_root.dst_x), i32::from(on_root.dst_y));
+    }
+
+    /// Clicks a pixel of the picture, without any time between press and release.
+    fn click(&self, pixel: (i32, i32)) {
+        self.point(pixel);
         self.fake(xproto::BUTTON_PRESS_EVENT, 1, 0, 0);
         self.fake(xproto::BUTTON_RELEASE_EVENT, 1, 0, 0);
     }
@@ -407,4 +412,119 @@ fn the_menu_takes_little_power_wherever_it_stands() {
         println!("row {row}: {:.1} %", (desktop.used() - before) as f64 / 3.0);
         desktop.press_symbol(DOWN);
     }
+}
+
+/// Does by keyboard and mouse what a script says, in a window and without, and waits until both show the same. The
+/// clock of a game, below `top`, is left out, and so is the pointer.
+#[track_caller]
+fn assert_like_script(
+    executable: &str,
+    program: grafika::ui::Program,
+    script: &str,
+    clock: Option<[i32; 4]>,
+) {
+    use grafika::machine::{Machine, Memory, Script, Session, Settings, play};
+    let Some((_server, display)) = server() else { return };
+    let parsed = Script::parse(&format!("lang en\nmanner today\n{script}wait 9000\n")).unwrap();
+    let machine = Machine::new(Box::new(Memory::default()), parsed.begun_with(Settings::default()));
+    let start = (program.start)(None).unwrap_or_else(|_| panic!("it needs no document"));
+    let mut session = Session::start(machine, move |mut machine| async move { start(&mut machine).await });
+    play(&mut session, &parsed, &mut ()).unwrap();
+
+    let folder = tempfile::tempdir().unwrap();
+    let title = program.manual.name.to_uppercase();
+    let mut command = Command::new(executable);
+    command
+        .args(["--display", "window", "--scale", "1", "--lang", "en", "--seed", "1"])
+        .current_dir(folder.path());
+    command.env("XDG_STATE_HOME", folder.path()).env("XDG_CONFIG_HOME", folder.path());
+    let desktop = Desktop::start_program(&display, &mut command, &title);
+    wait("the first picture", || {
+        desktop.image((0, 0), (640, 480)).iter().any(|&byte| byte != 0).then_some(())
+    });
+    std::thread::sleep(Duration::from_millis(300));
+    for line in script.lines() {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let at = |index: usize| words[index].parse::<i32>().unwrap();
+        match words[0] {
+            "key" if words[1] == "Enter" => desktop.press_symbol(0xFF0D),
+            "key" if words[1] == "Ctrl+Z" => {
+                let control = desktop.key_code(CONTROL);
+                desktop.fake(xproto::KEY_PRESS_EVENT, control, 0, 0);
+                desktop.press_key('z');
+                desktop.fake(xproto::KEY_RELEASE_EVENT, control, 0, 0);
+            }
+            "key" => desktop.press_key(words[1].to_lowercase().chars().next().unwrap()),
+            "click" => desktop.click((at(1), at(2))),
+            "drag" => {
+                desktop.point((at(1), at(2)));
+                desktop.fake(xproto::BUTTON_PRESS_EVENT, 1, 0, 0);
+                std::thread::sleep(Duration::from_millis(60));
+                desktop.point((at(3), at(4)));
+                std::thread::sleep(Duration::from_millis(60));
+                desktop.fake(xproto::BUTTON_RELEASE_EVENT, 1, 0, 0);
+            }
+            "wait" => std::thread::sleep(Duration::from_millis(words[1].parse().unwrap())),
+            other => panic!("no {other} in a window"),
+        }
+        std::thread::sleep(Duration::from_millis(60));
+    }
+    // Out of the way, so that only a corner is covered.
+    desktop.point((638, 478));
+    let left_out = |x: i32, y: i32| {
+        (x > 620 && y > 460)
+            || clock.is_some_and(|[x1, y1, x2, y2]| (x1..=x2).contains(&x) && (y1..=y2).contains(&y))
+    };
+    let screen = session.screen();
+    let end = Instant::now() + Duration::from_secs(10);
+    loop {
+        let shown = desktop.image((0, 0), (640, 480));
+        let differs = |index: usize| {
+            let (x, y) = ((index % 640) as i32, (index / 640) as i32);
+            let [red, green, blue] = screen.pixel(x, y).map_or([0; 3], |color| color.rgb());
+            !left_out(x, y) && shown[4 * index..4 * index + 3] != [blue, green, red]
+        };
+        let count = (0..640 * 480).filter(|&index| differs(index)).count();
+        if count == 0 {
+            return;
+        }
+        assert!(Instant::now() < end, "{count} pixels differ from what the script shows");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+#[test]
+fn a_sample_is_chosen_by_mouse() {
+    let script = "key T\nclick 320 120\n";
+    assert_like_script(env!("CARGO_BIN_EXE_gb_2d_ip"), grafika::programs::gb_2d_ip::PROGRAM, script, None);
+}
+
+#[test]
+fn three_clicks_are_three_points() {
+    let script = "key U\nclick 141 350\nclick 241 150\nclick 341 350\n";
+    assert_like_script(env!("CARGO_BIN_EXE_gb_2d_ip"), grafika::programs::gb_2d_ip::PROGRAM, script, None);
+}
+
+#[test]
+fn a_surface_is_turned_by_a_left_drag() {
+    let script = "key T\nkey Enter\ndrag 560 420 500 380\n";
+    assert_like_script(env!("CARGO_BIN_EXE_zm_hspl"), grafika::programs::zm_hspl::PROGRAM, script, None);
+}
+
+/// Where the wheel shows moves and time, and what it says of the last move.
+const CLOCK: [i32; 4] = [400, 0, 639, 170];
+
+#[test]
+fn a_ring_of_the_wheel_is_dragged() {
+    let script = "key Enter\ndrag 330 260 300 311\nwait 500\n";
+    let program = grafika::programs::gyongy_k::PROGRAM;
+    assert_like_script(env!("CARGO_BIN_EXE_gyongy_k"), program, script, Some(CLOCK));
+}
+
+#[test]
+fn a_wheel_of_four_moves_is_played_to_its_end() {
+    // The first move by a hint, one of them taken back and made again.
+    let script = "key Enter\nkey H\nwait 3000\nkey C\nkey J\nkey Ctrl+Z\nkey J\nkey L\nkey M\nwait 3000\n";
+    let program = grafika::programs::gyongy_k::PROGRAM;
+    assert_like_script(env!("CARGO_BIN_EXE_gyongy_k"), program, script, Some(CLOCK));
 }
