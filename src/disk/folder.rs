@@ -11,12 +11,19 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug)]
 pub struct Folder {
     path: PathBuf,
+    told: bool,
 }
 
 impl Folder {
     /// The folder of this path.
     pub fn new(path: impl Into<PathBuf>) -> Folder {
-        Folder { path: path.into() }
+        Folder { path: path.into(), told: false }
+    }
+
+    /// The folder, which messages name; a script's pictures must not depend on it.
+    #[must_use]
+    pub fn told(self) -> Folder {
+        Folder { told: true, ..self }
     }
 }
 
@@ -54,6 +61,12 @@ impl Storage for Folder {
         let mut same: Vec<String> = names.filter(|known| known.eq_ignore_ascii_case(name)).collect();
         same.sort();
         same.into_iter().find(|known| is_there(&self.path.join(known)))
+    }
+
+    fn place(&self) -> Option<String> {
+        let place = if self.path.as_os_str().is_empty() { Path::new(".") } else { &self.path };
+        let path = std::path::absolute(place).ok().filter(|_| self.told);
+        path.map(|path| path.display().to_string())
     }
 
     fn names(&self) -> Vec<String> {

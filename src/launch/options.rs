@@ -158,7 +158,9 @@ impl RunOptions {
             RecoveryFolder::new(UserFolder::State.path(), &folder, offers)
         };
         let recovery = live.then(recovery);
-        let machine = Machine::new(Box::new(Folder::new(folder)), settings);
+        let storage = Folder::new(folder);
+        let storage = if live && self.record.is_none() { storage.told() } else { storage };
+        let machine = Machine::new(Box::new(storage), settings);
         let machine = match recovery {
             Some(recovery) => machine.with_recovery(recovery),
             None => machine,

@@ -83,6 +83,10 @@ impl Storage for Files {
     fn names(&self) -> Vec<String> {
         self.place.names()
     }
+
+    fn place(&self) -> Option<String> {
+        self.place.place()
+    }
 }
 
 #[cfg(test)]

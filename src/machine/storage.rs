@@ -58,6 +58,11 @@ pub trait Storage {
     /// The name as it is stored here, whatever its case; built-in samples do not count.
     fn find(&self, name: &str) -> Option<String>;
 
+    /// Where the files are, for the user; `None` where a name alone says it.
+    fn place(&self) -> Option<String> {
+        None
+    }
+
     /// The names of all files, in any order; a place that cannot be listed has none.
     fn names(&self) -> Vec<String> {
         Vec::new()
@@ -149,6 +154,10 @@ impl<S: Storage> Storage for Rc<RefCell<S>> {
 
     fn names(&self) -> Vec<String> {
         self.borrow().names()
+    }
+
+    fn place(&self) -> Option<String> {
+        self.borrow().place()
     }
 }
 

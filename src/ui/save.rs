@@ -14,7 +14,7 @@ use crate::figure::{
     screen_svg,
 };
 use crate::geometry::ParamSurface;
-use crate::machine::{Asked, Manner, free_name};
+use crate::machine::{Asked, Manner, Storage, free_name};
 use crate::screen::{Color, Screen, WIDTH};
 use std::ops::RangeInclusive;
 
@@ -111,9 +111,9 @@ impl Desk<'_> {
             });
         match saved {
             Ok(()) if content.lacks_axes() => {
-                self.tell(words::figure_saved_without_axes(&name), Stay::UntilRead);
+                self.tell(words::figure_saved_without_axes(&self.located(&name)), Stay::UntilRead);
             }
-            Ok(()) => self.tell(words::figure_saved(&name), Stay::Briefly),
+            Ok(()) => self.tell(words::figure_saved(&self.located(&name)), Stay::Briefly),
             Err(problem) => self.tell(problem, Stay::UntilRead),
         }
         Ok(())
@@ -133,7 +133,7 @@ impl Desk<'_> {
             written.map_err(|error| words::storage_problem(&error)).map(|()| warning)
         });
         match saved {
-            Ok(None) => self.tell(words::figure_saved(&name), Stay::Briefly),
+            Ok(None) => self.tell(words::figure_saved(&self.located(&name)), Stay::Briefly),
             Ok(Some(warning)) => self.tell(Phrase::plain(&warning), Stay::UntilRead),
             Err(problem) => self.tell(problem, Stay::UntilRead),
         }
@@ -208,6 +208,11 @@ impl Desk<'_> {
         }
     }
 
+    /// A file's name with its folder, where that is told.
+    fn located(&self, name: &str) -> String {
+        self.machine.files().place().map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"))
+    }
+
     /// The proposed title: the name of the open file, else that of the program.
     fn title(&self) -> String {
         stem(self.machine.file().unwrap_or(self.manual.name)).to_uppercase()
@@ -216,7 +221,7 @@ impl Desk<'_> {
     /// The key F12: saves the screen as a PNG under the first free name and says so.
     pub(super) fn keep_picture(&mut self) {
         match self.save_picture() {
-            Ok(name) => self.tell(words::picture_saved(&name), Stay::Briefly),
+            Ok(name) => self.tell(words::picture_saved(&self.located(&name)), Stay::Briefly),
             Err(problem) => self.tell(problem, Stay::UntilRead),
         }
     }
@@ -246,8 +251,8 @@ impl Desk<'_> {
     /// Ends and saves the film and says so. If the film ended by itself, the message stays until it is read.
     pub(super) fn end_film(&mut self, stay: Stay) {
         match (self.machine.stop_film(), stay) {
-            (Ok(Some(name)), Stay::Briefly) => self.tell(words::film_saved(&name), stay),
-            (Ok(Some(name)), Stay::UntilRead) => self.tell(words::film_full(&name), stay),
+            (Ok(Some(name)), Stay::Briefly) => self.tell(words::film_saved(&self.located(&name)), stay),
+            (Ok(Some(name)), Stay::UntilRead) => self.tell(words::film_full(&self.located(&name)), stay),
             (Ok(None), _) => {}
             (Err(error), _) => self.tell(words::storage_problem(&error), Stay::UntilRead),
         }
