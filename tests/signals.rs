@@ -71,7 +71,7 @@ fn a_signal_is_the_exit_status_and_the_terminal_is_given_back() {
         terminal.wait_for_end();
         assert_eq!(terminal.child.wait().unwrap().exit_code(), 128 + number, "{name}");
         wait_until_given_back(&mut terminal);
-        assert!(terminal.contents().contains(&format!("signal {number}")), "{}", terminal.contents());
+        terminal.wait_for(&format!("signal {number}"));
     }
 }
 
