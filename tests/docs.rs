@@ -32,7 +32,7 @@ fn the_first_steps_lead_where_they_say() {
     assert_made_by_scripts("docs/first_steps");
 }
 
-/// Every program has its first steps, which are few.
+/// Every program has its first steps, which are few, and the page says what the script says.
 #[test]
 fn first_steps_are_few() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/first_steps");
@@ -43,7 +43,13 @@ fn first_steps_are_few() {
         let apart = ["#", "lang", "manner", "wait"];
         let steps = script.lines().filter(|line| !apart.iter().any(|word| line.starts_with(word))).count();
         assert!((1..=10).contains(&steps), "{name}: {steps} steps");
-        assert!(page.contains(&format!("first_steps/{name}.png")), "{name} is not on the page");
+        let picture = format!("first_steps/{name}.png");
+        let section = page.split("\n## ").find(|section| section.contains(&picture));
+        let section = section.unwrap_or_else(|| panic!("{name} is not on the page"));
+        for step in script.lines().skip(1).filter_map(|line| line.strip_prefix("# ")) {
+            let step = step.trim_end_matches('.');
+            assert!(section.contains(&format!(". {step}")), "{name}: the page does not say \"{step}\"");
+        }
     }
 }
 
