@@ -14,7 +14,12 @@ use std::process::ExitCode;
 const MANUAL: Manual = Manual {
     name: "own_program",
     about: Words("Pascal háromszöge", "Pascal's triangle"),
-    intro: Words("", ""),
+    intro: Words(
+        "Pascal háromszöge, a maradékok szerint színezve. M a modulust, Fel és Le a sorok számát változtatja. Modulo 2 \
+         Sierpiński háromszöge látszik.",
+        "Pascal's triangle, coloured by remainders. M changes the modulus, Up and Down the number of rows. Modulo 2 \
+         shows the triangle of Sierpiński.",
+    ),
     keys: &[
         (Words("Fel Le", "Up Down"), Words("kevesebb, több sor", "fewer, more rows")),
         (Words("M", "M"), Words("maradékok modulo 2, 3, ... 7", "remainders modulo 2, 3, ... 7")),
