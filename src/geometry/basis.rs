@@ -7,6 +7,7 @@ use super::param::{ParamCurve, clipped, followed, measured, searched_box};
 use super::point::{add_scaled, check_points};
 use super::{BoundingBox, CubicBezier, GeometryError, Point, Weights};
 use std::fmt;
+use std::sync::Arc;
 
 /// Functions that control points are blended by: "span `s` at `u` is these weights times those points".
 ///
@@ -29,55 +30,54 @@ pub trait Basis: fmt::Debug {
     /// The weights of a place sum to 1 and their derivatives to 0, unless a basis says otherwise.
     fn weights(&self, span: usize, u: f64, out: &mut Vec<[f64; 3]>) -> Option<usize>;
 
+    /// The weights of [`Basis::weights`] without their derivatives, the very doubles. A basis with a faster way to
+    /// them has it here.
+    fn values(&self, span: usize, u: f64, out: &mut Vec<f64>) -> Option<usize> {
+        let mut weights = Vec::new();
+        let first = self.weights(span, u, &mut weights)?;
+        out.clear();
+        out.extend(weights.into_iter().map(|[value, ..]| value));
+        Some(first)
+    }
+
     /// The same as exact cubic arcs, where the functions are cubic at most.
     fn cubic(&self) -> Option<&Weights> {
         None
     }
 }
 
-impl<B: Basis + ?Sized> Basis for &B {
-    fn points(&self) -> usize {
-        (**self).points()
-    }
+/// What refers to a basis is one.
+macro_rules! references {
+    ($($reference:ty),*) => {$(
+        impl<B: Basis + ?Sized> Basis for $reference {
+            fn points(&self) -> usize {
+                (**self).points()
+            }
 
-    fn spans(&self) -> usize {
-        (**self).spans()
-    }
+            fn spans(&self) -> usize {
+                (**self).spans()
+            }
 
-    fn closed(&self) -> bool {
-        (**self).closed()
-    }
+            fn closed(&self) -> bool {
+                (**self).closed()
+            }
 
-    fn weights(&self, span: usize, u: f64, out: &mut Vec<[f64; 3]>) -> Option<usize> {
-        (**self).weights(span, u, out)
-    }
+            fn weights(&self, span: usize, u: f64, out: &mut Vec<[f64; 3]>) -> Option<usize> {
+                (**self).weights(span, u, out)
+            }
 
-    fn cubic(&self) -> Option<&Weights> {
-        (**self).cubic()
-    }
+            fn values(&self, span: usize, u: f64, out: &mut Vec<f64>) -> Option<usize> {
+                (**self).values(span, u, out)
+            }
+
+            fn cubic(&self) -> Option<&Weights> {
+                (**self).cubic()
+            }
+        }
+    )*};
 }
 
-impl<B: Basis + ?Sized> Basis for Box<B> {
-    fn points(&self) -> usize {
-        (**self).points()
-    }
-
-    fn spans(&self) -> usize {
-        (**self).spans()
-    }
-
-    fn closed(&self) -> bool {
-        (**self).closed()
-    }
-
-    fn weights(&self, span: usize, u: f64, out: &mut Vec<[f64; 3]>) -> Option<usize> {
-        (**self).weights(span, u, out)
-    }
-
-    fn cubic(&self) -> Option<&Weights> {
-        (**self).cubic()
-    }
-}
+references!(&B, Box<B>, Arc<B>);
 
 /// A spline through the points sees all of them in every span, the other methods four at most.
 impl Basis for Weights {
@@ -158,9 +158,10 @@ impl<B: Basis, const D: usize> Blend<B, D> {
         &self.points
     }
 
-    fn blended(&self, span: usize, u: f64, weights: &mut Vec<[f64; 3]>) -> Option<[Point<D>; 3]> {
-        let first = self.basis.weights(span, u, weights)?;
-        Some(blended(weights, self.points.iter().cycle().skip(first).copied()))
+    /// The point alone.
+    fn point(&self, span: usize, u: f64, values: &mut Vec<f64>) -> Option<Point<D>> {
+        let first = self.basis.values(span, u, values)?;
+        Some(summed(values, self.points.iter().cycle().skip(first).copied()))
     }
 }
 
@@ -178,6 +179,11 @@ pub(super) fn blended<const D: usize>(
     sums
 }
 
+/// Points blended by weights alone.
+pub(super) fn summed<const D: usize>(values: &[f64], points: impl Iterator<Item = Point<D>>) -> Point<D> {
+    values.iter().zip(points).fold([0.0; D], |sum, (&value, point)| add_scaled(sum, value, point))
+}
+
 impl<B: Basis, const D: usize> ParamCurve<D> for Blend<B, D> {
     fn spans(&self) -> usize {
         self.basis.spans()
@@ -190,14 +196,18 @@ impl<B: Basis, const D: usize> ParamCurve<D> for Blend<B, D> {
     fn at(&self, span: usize, u: f64) -> Option<[Point<D>; 3]> {
         match &self.arcs {
             Some(arcs) => arcs.at(span, u),
-            None => self.blended(span, u, &mut Vec::new()),
+            None => {
+                let mut weights = Vec::new();
+                let first = self.basis.weights(span, u, &mut weights)?;
+                Some(blended(&weights, self.points.iter().cycle().skip(first).copied()))
+            }
         }
     }
 
     fn eval(&self, span: usize, u: f64) -> Option<Point<D>> {
         match &self.arcs {
             Some(arcs) => arcs.eval(span, u),
-            None => self.at(span, u).map(|[point, ..]| point),
+            None => self.point(span, u, &mut Vec::new()),
         }
     }
 
@@ -206,10 +216,9 @@ impl<B: Basis, const D: usize> ParamCurve<D> for Blend<B, D> {
             return arcs.sample_span(span, out);
         }
         let steps = out.len().saturating_sub(1).max(1) as f64;
-        let mut weights = Vec::new();
+        let mut values = Vec::new();
         for (j, point) in out.iter_mut().enumerate() {
-            let here = self.blended(span, j as f64 / steps, &mut weights);
-            *point = here.map_or(*point, |[point, ..]| point);
+            *point = self.point(span, j as f64 / steps, &mut values).unwrap_or(*point);
         }
     }
 

@@ -46,6 +46,7 @@ mod bounds;
 mod cubic;
 mod curve;
 mod cyclic;
+pub mod ec;
 mod error;
 mod fourier;
 mod hermite;

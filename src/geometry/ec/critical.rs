@@ -1,0 +1,185 @@
+//! How long an interval may be.
+
+use super::Space;
+use super::dd::Dd;
+use super::series::{Series, polynomial};
+use std::f64::consts::PI;
+
+/// Whether the functions of a space on an interval of this length look like a normalized B-basis. Below the critical
+/// length they do; just above it they do not, but far above they may.
+fn passes(space: &Space, h: f64) -> bool {
+    let h = Dd::from(h);
+    let radius = radius(space) * h.value();
+    Series::new(&polynomial(space, h, false), radius).is_some_and(|series| series.passes())
+}
+
+/// The largest absolute value of a root.
+pub(super) fn radius(space: &Space) -> f64 {
+    space.roots().iter().fold(0.0, |most, root| most.max(root.re.value().hypot(root.im.value())))
+}
+
+/// The search for the critical length for design of a space: the supremum l' of the lengths of intervals on which the
+/// space has a normalized B-basis. Advances in steps, so that a program may draw between them.
+///
+/// It walks in steps of a fraction of the fastest wave until a length does not pass, and then bisects: a single test
+/// far above the critical length can pass by chance, and determinants may touch zero without changing sign.
+/// Relative error about 1e-14.
+///
+/// ```
+/// use grafika::geometry::ec::{CriticalLength, Space};
+///
+/// let space: Space = "0,i".parse()?;
+/// let length = CriticalLength::new(&space).finish();
+/// assert!((length - std::f64::consts::PI).abs() < 1e-13);
+/// # Ok::<(), grafika::geometry::ec::EcError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct CriticalLength {
+    space: Space,
+    step: f64,
+    /// Steps taken, all of which passed.
+    taken: u32,
+    most: u32,
+    /// The longest length that passed, and the shortest that did not.
+    good: f64,
+    bad: Option<f64>,
+    result: Option<f64>,
+}
+
+impl CriticalLength {
+    /// The search for l' of a space. With real roots alone it is infinite and there is nothing to search.
+    #[must_use]
+    pub fn new(space: &Space) -> Self {
+        let fastest = space.fastest();
+        Self {
+            space: space.clone(),
+            step: PI / (4.0 * fastest),
+            taken: 0,
+            most: 4 * u32::try_from(space.dimension()).unwrap_or(u32::MAX / 4),
+            good: 0.0,
+            bad: None,
+            result: space.is_real().then_some(f64::INFINITY),
+        }
+    }
+
+    /// The search for the length l up to which the space itself is an extended Chebyshev space: l' of the space with
+    /// one zero root more.
+    #[must_use]
+    pub fn of_itself(space: &Space) -> Self {
+        Self::new(&space.integral())
+    }
+
+    /// The result, if it is known.
+    #[must_use]
+    pub fn result(&self) -> Option<f64> {
+        self.result
+    }
+
+    /// One step, which costs one set-up of a basis; the result as soon as it is known.
+    pub fn advance(&mut self) -> Option<f64> {
+        if self.result.is_some() {
+            return self.result;
+        }
+        match self.bad {
+            None => {
+                let next = self.step * f64::from(self.taken + 1);
+                if passes(&self.space, next) {
+                    (self.taken, self.good) = (self.taken + 1, next);
+                    if self.taken >= self.most {
+                        // Beyond the bound n π / b of the theory nothing passes.
+                        self.result = Some(self.good);
+                    }
+                } else {
+                    self.bad = Some(next);
+                }
+            }
+            Some(bad) => {
+                let middle = 0.5 * (self.good + bad);
+                if bad - self.good <= 1e-15 * bad || middle <= self.good || middle >= bad {
+                    self.result = Some(middle);
+                } else if passes(&self.space, middle) {
+                    self.good = middle;
+                } else {
+                    self.bad = Some(middle);
+                }
+            }
+        }
+        self.result
+    }
+
+    /// Whether an interval of this length is good, as soon as it is known; the exact length need not be.
+    #[must_use]
+    pub fn admits(&self, length: f64) -> Option<bool> {
+        match self.result {
+            Some(critical) => Some(length < critical),
+            None if length <= self.good => Some(true),
+            None if self.bad.is_some_and(|bad| length >= bad) => Some(false),
+            None => None,
+        }
+    }
+
+    /// The result, after all steps.
+    #[must_use]
+    pub fn finish(mut self) -> f64 {
+        loop {
+            if let Some(length) = self.advance() {
+                return length;
+            }
+        }
+    }
+
+    /// Walks until it is known whether an interval of this length is good.
+    pub(super) fn decide(&mut self, length: f64) -> bool {
+        loop {
+            if let Some(known) = self.admits(length) {
+                return known;
+            }
+            // The bisection is not needed where the length itself can be tried.
+            if self.bad.is_some() || length < self.step * f64::from(self.taken + 1) {
+                return passes(&self.space, length);
+            }
+            self.advance();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn critical(roots: &str) -> f64 {
+        CriticalLength::new(&roots.parse().unwrap()).finish()
+    }
+
+    #[test]
+    fn lengths_of_the_thesis() {
+        for (roots, length) in [
+            ("0,i", PI),
+            ("0^2,i", 2.0 * PI),
+            ("0^3,i", 2.0 * PI),
+            ("0^4,i", 8.986_818_915_818_128),
+            ("0,1/4+i", PI),
+            ("0^3,i^2,2i", 2.0 * PI),
+            ("0,i^2", 4.493_409_457_909_064),
+            ("0,i,2i", PI),
+            ("0,i,1/(6*pi),1/(3*pi),1/(6*pi)+i", 7.870_806_846_327_057),
+            ("M4(1,0.2)", 16.694_941_067_198_363),
+        ] {
+            let found = critical(roots);
+            assert!((found / length - 1.0).abs() < 1e-12, "{roots}: {found}");
+        }
+        assert_eq!(critical("0^2,1^2,2^2"), f64::INFINITY);
+        let itself = CriticalLength::of_itself(&"0,1/4+i".parse().unwrap()).finish();
+        assert!((itself / 4.766_508_105_684_232 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_length_far_above_is_not_good_though_it_looks_so() {
+        // {0^6, i} passes the single test from 1.36 to 1.56 of its critical length.
+        let space: Space = "0^6,i".parse().unwrap();
+        let length = 1.45 * critical("0^6,i");
+        assert!(passes(&space, length));
+        assert!(!CriticalLength::new(&space).decide(length));
+        assert!(CriticalLength::new(&space).decide(0.7 * length / 1.45));
+    }
+}
