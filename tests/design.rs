@@ -610,7 +610,7 @@ mod commands {
                 (
                     &["A.CSK"],
                     1,
-                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP and the nets .FHC to .ZYP do",
+                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .KCG to .KCJ do",
                 ),
             ] {
                 let refused = scratch.refused(&[command, arguments].concat());

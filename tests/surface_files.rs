@@ -290,7 +290,7 @@ proptest! {
         let Ok(surface) = Surface::new(Scheme::new(method, topology), &net) else { return Ok(()) };
         let Ok(grid) = surface.grid(3) else { return Ok(()) };
         let finite = |points: &[Point<2>]| points.iter().flatten().all(|x| x.is_finite());
-        let lines = visible_lines(&grid, &View::from_direction(direction));
+        let lines = visible_lines(std::slice::from_ref(&grid), &View::from_direction(direction));
         prop_assert!(lines.iter().all(|line| line.len() > 1 && finite(line)));
         if let Ok(mesh) = Mesh::from_grid(&grid) {
             prop_assert_eq!(obj_corners(&mesh.to_obj()).len(), 3 * mesh.triangles().len());

@@ -2,6 +2,7 @@
 
 use crate::file::{Format, MAX_POINTS, Method};
 use crate::geometry::GeometryError;
+use crate::geometry::ec::EcError;
 use std::fmt;
 
 /// Why a document describes no curve or surface, or none that an editor can edit.
@@ -43,6 +44,13 @@ pub enum DesignError {
     },
     /// The mathematics has no answer.
     Geometry(GeometryError),
+    /// An item over extended Chebyshev spaces has no curve or surface.
+    Ec {
+        /// The item's number, from 1; `None` where there is one only.
+        item: Option<usize>,
+        /// Why.
+        error: EcError,
+    },
 }
 
 impl From<GeometryError> for DesignError {
@@ -55,7 +63,7 @@ impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DesignError::NoShape => f.write_str(
-                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP and the nets .FHC to .ZYP do",
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .KCG to .KCJ do",
             ),
             DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
             DesignError::Needs(Method::Fourier) => {
@@ -94,6 +102,8 @@ impl fmt::Display for DesignError {
                 "a net of {rows} x {columns} points; there must be {k} x {l} to {most} x {most}, of coordinates up to a million"
             ),
             DesignError::Geometry(error) => error.fmt(f),
+            DesignError::Ec { item: None, error } => error.fmt(f),
+            DesignError::Ec { item: Some(number), error } => write!(f, "item {number}: {error}"),
         }
     }
 }

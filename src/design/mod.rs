@@ -3,6 +3,7 @@
 //! A design is control points *and* the recipe: method, closure, parameters, shapes of joints. It is what the
 //! editors change, undo, keep and save, and what `sample` and `render` draw. No pixels and no words here.
 
+pub mod ec;
 mod edit;
 mod error;
 pub mod fourier;
@@ -15,6 +16,7 @@ pub use error::DesignError;
 pub use net::{Index, NetDesign, Part};
 pub use sketch::Sketch;
 
+use crate::file::ec::EcDocument;
 use crate::file::{CurveSettings, Document, Format, Method, NetSettings};
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
@@ -29,6 +31,8 @@ pub enum Design {
     Fourier(Box<crate::file::Fourier>),
     /// A surface by a control net.
     Net(NetDesign),
+    /// Curves and patches over extended Chebyshev spaces.
+    Ec(Box<EcDocument>),
 }
 
 /// A curve or a surface.
@@ -40,6 +44,8 @@ pub enum Shape {
     Space(Box<dyn ParamCurve<3>>),
     /// A surface.
     Surface(Box<dyn ParamSurface>),
+    /// Arcs and patches, which need not meet.
+    Parts(ec::EcShapes),
 }
 
 impl Design {
@@ -53,6 +59,7 @@ impl Design {
             Document::SpacePoints(space) => Ok(Design::Space(space.into())),
             Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
+            Document::Ec(document) => Ok(Design::Ec(document)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
@@ -70,6 +77,7 @@ impl Design {
             Design::Space(sketch) => Shape::Space(sketch.curve()?),
             Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
             Design::Net(net) => Shape::Surface(net.surface()?),
+            Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
         })
     }
 }

@@ -49,8 +49,8 @@ impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {
         seen::figure(&C::seen(self), &self.lens)
     }
 
-    fn surface(&self) -> Option<Box<dyn ParamSurface>> {
-        C::surface(self).filter(|_| self.stage.begun())
+    fn surfaces(&self) -> Vec<Box<dyn ParamSurface>> {
+        C::surface(self).filter(|_| self.stage.begun()).into_iter().collect()
     }
 
     fn hint(&self) -> Option<Hint> {

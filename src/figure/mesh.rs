@@ -39,6 +39,71 @@ impl Mesh {
         Ok(mesh)
     }
 
+    /// The mesh of several grids, each as [`Mesh::from_grid`] makes it. Where vertices of different grids lie within a
+    /// billionth of the extent they are one, so that patches that touch hang together.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::from_grid`]; of several grids, those without area are left out if others have some.
+    pub fn from_grids(grids: &[Grid]) -> Result<Mesh, FigureError> {
+        if let [grid] = grids {
+            return Self::from_grid(grid);
+        }
+        let mut whole = Mesh { vertices: Vec::new(), triangles: Vec::new() };
+        for grid in grids.iter().filter(|grid| grid.has_area()) {
+            let part = Self::welded(grid)?;
+            let first = whole.vertices.len();
+            whole.vertices.extend(part.vertices);
+            whole.triangles.extend(part.triangles.iter().map(|corners| corners.map(|n| n + first)));
+        }
+        if whole.triangles.is_empty() {
+            return Err(FigureError::NoArea);
+        }
+        whole.weld();
+        if whole.is_inside_out() {
+            whole.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+        }
+        Ok(whole)
+    }
+
+    /// Makes vertices one that lie within a billionth of the extent.
+    fn weld(&mut self) {
+        let extent = BoundingBox::of_points(&self.vertices).map_or(0.0, |bounds| bounds.extent());
+        let near = FLATTEST * extent;
+        if near <= 0.0 || !near.is_finite() {
+            return;
+        }
+        // In cells twice as wide, what is near lies in a neighbouring cell.
+        let cell = |p: &Point<3>, step: [f64; 3]| -> [i64; 3] {
+            std::array::from_fn(|d| (p[d] / (2.0 * near) + step[d]).round() as i64)
+        };
+        let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::with_capacity(self.vertices.len());
+        let mut vertices: Vec<Point<3>> = Vec::with_capacity(self.vertices.len());
+        let numbers: Vec<usize> = self
+            .vertices
+            .iter()
+            .map(|p| {
+                let halves = [-0.5, 0.5];
+                let around = halves.into_iter().flat_map(|x| {
+                    halves.into_iter().flat_map(move |y| halves.into_iter().map(move |z| [x, y, z]))
+                });
+                let same =
+                    around.filter_map(|step| cells.get(&cell(p, step))).flatten().copied().find(|&n| {
+                        vertices.get(n).is_some_and(|q| p.iter().zip(q).all(|(a, b)| (a - b).abs() <= near))
+                    });
+                same.unwrap_or_else(|| {
+                    vertices.push(*p);
+                    cells.entry(cell(p, [0.0; 3])).or_default().push(vertices.len() - 1);
+                    vertices.len() - 1
+                })
+            })
+            .collect();
+        self.vertices = vertices;
+        for corner in self.triangles.iter_mut().flatten() {
+            *corner = numbers.get(*corner).copied().unwrap_or(*corner);
+        }
+        self.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
+    }
+
     /// A mesh of these parts.
     pub(super) fn new(vertices: Vec<Point<3>>, triangles: Vec<[usize; 3]>) -> Mesh {
         Mesh { vertices, triangles }

@@ -136,12 +136,17 @@ impl Figure {
 
     /// Adds the lines of a surface as a view shows them; a picture of one without area is refused.
     pub fn plot_surface(&mut self, grid: &Grid, view: &View, hidden: Hidden) {
+        self.plot_surfaces(std::slice::from_ref(grid), view, hidden);
+    }
+
+    /// Adds the lines of surfaces that hide each other.
+    pub fn plot_surfaces(&mut self, grids: &[Grid], view: &View, hidden: Hidden) {
         let lines = match hidden {
-            Hidden::Drawn => all_lines(grid, view),
-            Hidden::LeftOut => visible_lines(grid, view),
+            Hidden::Drawn => grids.iter().flat_map(|grid| all_lines(grid, view)).collect(),
+            Hidden::LeftOut => visible_lines(grids, view),
         };
         lines.into_iter().for_each(|line| self.plot_border(line));
-        self.lacks_area |= !grid.has_area();
+        self.lacks_area |= !grids.iter().all(Grid::has_area);
     }
 }
 

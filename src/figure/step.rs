@@ -22,23 +22,73 @@ const LOOK: usize = 4;
 /// surface without area, [`FigureError::Flat`] for a closed one in a plane.
 pub fn surface_step(surface: &dyn ParamSurface, name: &str) -> Result<String, FigureError> {
     let form = surface.to_bspline().ok_or(FigureError::NoExactForm)?;
-    if let Some(&given) = form.degrees.iter().find(|&&degree| degree > MOST_DEGREES) {
-        return Err(FigureError::Degree { given, most: MOST_DEGREES });
+    written(&[(form, surface)], name, "a surface by a net of control points")
+}
+
+/// Surfaces as the text of a STEP file, one face each. Those without an exact form are fitted by bicubic B-splines, to a
+/// tolerance that is a part of their size and is said in the header of the file.
+///
+/// # Errors
+/// Those of [`surface_step`], and [`FigureError::Geometry`] where the tolerance is too small.
+pub fn surfaces_step(
+    surfaces: &[&dyn ParamSurface],
+    name: &str,
+    tolerance: f64,
+) -> Result<String, FigureError> {
+    let mut exact = true;
+    let mut forms = Vec::with_capacity(surfaces.len());
+    for &surface in surfaces {
+        let form = match surface.to_bspline() {
+            Some(form) => form,
+            None => {
+                exact = false;
+                let size = surface.bounding_box().map_or(0.0, |bounds| bounds.extent());
+                surface.fitted_bspline(tolerance * size)?
+            }
+        };
+        forms.push((form, surface));
     }
-    // Nets are far smaller than what a grid can hold at these steps; a larger one is not looked at.
-    let inside_out = match surface.grid(LOOK) {
-        Ok(grid) => Mesh::welded(&grid)?.is_inside_out(),
-        Err(_) => false,
+    let about = match exact {
+        true => "a surface by a net of control points".to_owned(),
+        false => format!("a surface, fitted within {tolerance:e} of its size"),
     };
-    let mut file = File::new(name);
-    let face = Face::new(&form, surface.closed());
-    let (item, kind) = face.write(&mut file, inside_out);
-    Ok(file.finish(item, kind))
+    written(&forms, name, &about)
+}
+
+/// The file of B-spline surfaces with the surfaces that they stand for.
+fn written(
+    forms: &[(BSplineSurface, &dyn ParamSurface)],
+    name: &str,
+    about: &str,
+) -> Result<String, FigureError> {
+    let mut file = File::new(name, about);
+    let mut shells = Vec::new();
+    for (form, surface) in forms {
+        if let Some(&given) = form.degrees.iter().find(|&&degree| degree > MOST_DEGREES) {
+            return Err(FigureError::Degree { given, most: MOST_DEGREES });
+        }
+        // Nets are far smaller than what a grid can hold at these steps; a larger one is not looked at.
+        let inside_out = match surface.grid(LOOK) {
+            Ok(grid) => Mesh::welded(&grid)?.is_inside_out(),
+            Err(_) => false,
+        };
+        let face = Face::new(form, surface.closed());
+        let id = face.write(&mut file, inside_out);
+        if forms.len() == 1 && face.is_whole() {
+            let shell = file.add(format_args!("CLOSED_SHELL('',({id}))"));
+            let solid = file.add(format_args!("MANIFOLD_SOLID_BREP('',{shell})"));
+            return Ok(file.finish(solid, "ADVANCED_BREP_SHAPE_REPRESENTATION"));
+        }
+        shells.push(file.add(format_args!("OPEN_SHELL('',({id}))")));
+    }
+    let model = file.add(format_args!("SHELL_BASED_SURFACE_MODEL('',{})", List(&shells)));
+    Ok(file.finish(model, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION"))
 }
 
 /// The entities of a file: lines `#number=ENTITY(...);`.
 struct File {
     name: String,
+    about: String,
     data: String,
     count: usize,
 }
@@ -47,8 +97,8 @@ struct File {
 type Representation = &'static str;
 
 impl File {
-    fn new(name: &str) -> Self {
-        Self { name: quoted(name), data: String::new(), count: 0 }
+    fn new(name: &str, about: &str) -> Self {
+        Self { name: quoted(name), about: quoted(about), data: String::new(), count: 0 }
     }
 
     /// Adds an entity and returns its number.
@@ -96,11 +146,11 @@ impl File {
         let shown = self.add(format_args!("{representation}({name},({placement},{item}),{space})"));
         self.add(format_args!("SHAPE_DEFINITION_REPRESENTATION({shape},{shown})"));
         format!(
-            "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('a surface by a net of control points'),'2;1');\n\
+            "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(({}),'2;1');\n\
              FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'grafika','grafika','');\n\
              FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\nENDSEC;\nDATA;\n{}ENDSEC;\n\
              END-ISO-10303-21;\n",
-            self.data
+            self.about, self.data
         )
     }
 }
@@ -120,26 +170,20 @@ impl<'a> Face<'a> {
         Self { form, closed, poles }
     }
 
-    /// Writes the face in its shell. Returns the entity and the kind of representation that holds it.
-    fn write(&self, file: &mut File, inside_out: bool) -> (Id, Representation) {
+    /// Writes the face. If it is oriented against the surface, its boundary is reversed too.
+    fn write(&self, file: &mut File, inside_out: bool) -> Id {
         let net: Vec<Vec<Id>> =
             self.form.net.iter().map(|row| row.iter().map(|&point| file.point(point)).collect()).collect();
         let surface = self.surface(file, &net);
         let boundary = self.boundary(file, &net);
-        // If the face is oriented against the surface, its boundary is reversed too.
         let sense = Flag(!inside_out);
         let bound = file.add(format_args!("FACE_OUTER_BOUND('',{boundary},{sense})"));
-        let face = file.add(format_args!("ADVANCED_FACE('',({bound}),{surface},{sense})"));
-        let whole = (0..2).all(|d| self.closed[d] || self.poles[d] == [true; 2]);
-        if whole {
-            let shell = file.add(format_args!("CLOSED_SHELL('',({face}))"));
-            let solid = file.add(format_args!("MANIFOLD_SOLID_BREP('',{shell})"));
-            (solid, "ADVANCED_BREP_SHAPE_REPRESENTATION")
-        } else {
-            let shell = file.add(format_args!("OPEN_SHELL('',({face}))"));
-            let model = file.add(format_args!("SHELL_BASED_SURFACE_MODEL('',({shell}))"));
-            (model, "MANIFOLD_SURFACE_SHAPE_REPRESENTATION")
-        }
+        file.add(format_args!("ADVANCED_FACE('',({bound}),{surface},{sense})"))
+    }
+
+    /// Whether the surface encloses a solid.
+    fn is_whole(&self) -> bool {
+        (0..2).all(|d| self.closed[d] || self.poles[d] == [true; 2])
     }
 
     fn surface(&self, file: &mut File, net: &[Vec<Id>]) -> Id {

@@ -8,25 +8,32 @@ use std::fmt::Write;
 /// The names of the coordinates.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Rows of a sampled curve (span from 0, parameter `u` in it, point in the plane or in space) as CSV:
-/// the header `span,u,x,y` or `span,u,x,y,z`, then a line each. Numbers have the fewest digits that
-/// read back as the same double.
+/// The names of a point's coordinates, of its first and of its second derivative.
+const ORDERS: [&str; 3] = ["", "d", "dd"];
+
+/// A row of a sampled curve: span from 0, parameter `u` in it, and the point with so many derivatives.
+pub type CurveRow<const D: usize> = (usize, f64, Vec<[f64; D]>);
+
+/// The names of the columns after `span` and `u`.
+fn columns<const D: usize>(derivatives: usize) -> Vec<String> {
+    let orders = ORDERS.iter().take(derivatives + 1);
+    orders.flat_map(|order| AXES.iter().take(D).map(move |axis| format!("{order}{axis}"))).collect()
+}
+
+/// Rows of a sampled curve as CSV: the header `span,u,x,y` or `span,u,x,y,z`, with up to two derivatives
+/// `dx,dy,dz,ddx,ddy,ddz` behind it, then a line each. Numbers have the fewest digits that read back as the same
+/// double.
 ///
 /// ```
-/// let rows = [(0, 0.0, [1.0, 2.0]), (0, 0.5, [1.5, 1e-9])];
-/// assert_eq!(grafika::figure::curve_csv(rows.into_iter()), "span,u,x,y\n0,0,1,2\n0,0.5,1.5,1e-9\n");
+/// let rows = [(0, 0.0, vec![[1.0, 2.0]]), (0, 0.5, vec![[1.5, 1e-9]])];
+/// assert_eq!(grafika::figure::curve_csv(0, rows.into_iter()), "span,u,x,y\n0,0,1,2\n0,0.5,1.5,1e-9\n");
 /// ```
-pub fn curve_csv<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; D])>) -> String {
-    let mut text = String::from("span,u");
-    for axis in AXES.iter().take(D) {
-        text.push(',');
-        text.push_str(axis);
-    }
-    text.push('\n');
-    for (span, u, point) in rows {
+pub fn curve_csv<const D: usize>(derivatives: usize, rows: impl Iterator<Item = CurveRow<D>>) -> String {
+    let mut text = format!("span,u,{}\n", columns::<D>(derivatives).join(","));
+    for (span, u, points) in rows {
         // Writing to a string cannot fail, here and below.
         let _ = write!(text, "{span},{}", Number(u));
-        for coordinate in point {
+        for coordinate in points.into_iter().flatten() {
             let _ = write!(text, ",{}", Number(coordinate));
         }
         text.push('\n');
@@ -39,22 +46,23 @@ pub fn curve_csv<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; D
 /// this library has, becomes `null`.
 ///
 /// ```
-/// let rows = [(0, 0.0, [1.0, 2.0]), (0, 1.0, [0.1, 3.0])];
-/// let text = grafika::figure::curve_json(rows.into_iter());
+/// let rows = [(0, 0.0, vec![[1.0, 2.0]]), (0, 1.0, vec![[0.1, 3.0]])];
+/// let text = grafika::figure::curve_json(0, rows.into_iter());
 /// assert_eq!(text, r#"[
 /// {"span":0,"u":0.0,"x":1.0,"y":2.0},
 /// {"span":0,"u":1.0,"x":0.1,"y":3.0}
 /// ]
 /// "#);
 /// ```
-pub fn curve_json<const D: usize>(rows: impl Iterator<Item = (usize, f64, [f64; D])>) -> String {
+pub fn curve_json<const D: usize>(derivatives: usize, rows: impl Iterator<Item = CurveRow<D>>) -> String {
+    let columns = columns::<D>(derivatives);
     let mut text = String::from("[");
-    for (index, (span, u, point)) in rows.enumerate() {
+    for (index, (span, u, points)) in rows.enumerate() {
         let mut row = Map::new();
         row.insert("span".to_string(), Value::from(span));
         row.insert("u".to_string(), Value::from(u));
-        for (axis, coordinate) in AXES.iter().zip(point) {
-            row.insert((*axis).to_string(), Value::from(coordinate));
+        for (column, coordinate) in columns.iter().zip(points.into_iter().flatten()) {
+            row.insert(column.clone(), Value::from(coordinate));
         }
         let _ = write!(text, "{}{}", if index == 0 { "\n" } else { ",\n" }, Value::Object(row));
     }

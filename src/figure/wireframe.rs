@@ -14,8 +14,8 @@ const SHORT: f64 = 1e-5;
 /// Largest number of bins along a side of the picture.
 const MOST_BINS: usize = 512;
 
-/// The visible parts of a grid's lines, as polylines in the plane of the view. Lines of constant `u` come first, then
-/// those of constant `v`; a closing line is not drawn twice.
+/// The visible parts of the lines of grids, which hide each other, as polylines in the plane of the view. Of every grid
+/// lines of constant `u` come first, then those of constant `v`; a closing line is not drawn twice.
 ///
 /// ```
 /// use grafika::figure::visible_lines;
@@ -23,16 +23,16 @@ const MOST_BINS: usize = 512;
 ///
 /// // A square seen from above: three lines in either direction.
 /// let square = Grid::from_fn([3, 3], [false; 2], |k, l| [k as f64, l as f64, 0.0]);
-/// let lines = visible_lines(&square, &View::from_direction([0.0, -0.1, 1.0]));
+/// let lines = visible_lines(&[square], &View::from_direction([0.0, -0.1, 1.0]));
 /// assert_eq!(lines.iter().map(Vec::len).collect::<Vec<_>>(), [3; 6]);
 /// ```
 #[must_use]
-pub fn visible_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
-    let places: Vec<Point<2>> = grid.points().iter().map(|&point| view.place(point)).collect();
-    let Some(mut scene) = Scene::new(grid, view) else { return Vec::new() };
+pub fn visible_lines(grids: &[Grid], view: &View) -> Vec<Vec<Point<2>>> {
+    let places: Vec<Point<2>> = grids.iter().flat_map(Grid::points).map(|&point| view.place(point)).collect();
+    let Some(mut scene) = Scene::new(grids, view) else { return Vec::new() };
     let place = |index: usize| places.get(index).copied().unwrap_or([0.0; 2]);
     let mut lines = Vec::new();
-    for line in grid_lines(grid) {
+    for line in numbered(grids).flat_map(|(first, grid)| grid_lines(grid, first)) {
         let (mut chain, mut joined) = (Vec::new(), false);
         for (&from, &to) in line.iter().zip(line.iter().skip(1)) {
             let (a, b) = (place(from), place(to));
@@ -57,15 +57,26 @@ pub fn visible_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
 #[must_use]
 pub fn all_lines(grid: &Grid, view: &View) -> Vec<Vec<Point<2>>> {
     let place = |index: &usize| grid.points().get(*index).map(|&point| view.place(point));
-    grid_lines(grid).iter().map(|line| line.iter().filter_map(place).collect()).collect()
+    grid_lines(grid, 0).iter().map(|line| line.iter().filter_map(place).collect()).collect()
 }
 
-/// The indices of the points of every line of the grid.
-fn grid_lines(grid: &Grid) -> Vec<Vec<usize>> {
+/// Grids with the number that their first point has among the points of all.
+fn numbered(grids: &[Grid]) -> impl Iterator<Item = (usize, &Grid)> {
+    grids.iter().scan(0, |next, grid| {
+        let first = *next;
+        *next += grid.points().len();
+        Some((first, grid))
+    })
+}
+
+/// The numbers of the points of every line of a grid whose first point has number `first`.
+fn grid_lines(grid: &Grid, first: usize) -> Vec<Vec<usize>> {
     let [rows, columns] = [grid.rows(), grid.columns()];
     let [closed_u, closed_v] = grid.closed().map(usize::from);
-    let along_v = (0..rows.saturating_sub(closed_u)).map(|k| (0..columns).map(|l| k * columns + l).collect());
-    let along_u = (0..columns.saturating_sub(closed_v)).map(|l| (0..rows).map(|k| k * columns + l).collect());
+    let along_v =
+        (0..rows.saturating_sub(closed_u)).map(|k| (0..columns).map(|l| first + k * columns + l).collect());
+    let along_u =
+        (0..columns.saturating_sub(closed_v)).map(|l| (0..rows).map(|k| first + k * columns + l).collect());
     along_v.chain(along_u).collect()
 }
 
@@ -84,13 +95,13 @@ struct Scene {
 }
 
 impl Scene {
-    /// `None` for a grid without extent.
-    fn new(grid: &Grid, view: &View) -> Option<Self> {
+    /// `None` for grids without extent.
+    fn new(grids: &[Grid], view: &View) -> Option<Self> {
         let seen = |p: &Point<3>| {
             let [x, y] = view.place(*p);
             [x, y, view.depth(*p)]
         };
-        let mut places: Vec<Place> = grid.points().iter().map(seen).collect();
+        let mut places: Vec<Place> = grids.iter().flat_map(Grid::points).map(seen).collect();
         let first = *places.first()?;
         let (mut low, mut high) = (first, first);
         for place in &places {
@@ -104,7 +115,11 @@ impl Scene {
         for place in &mut places {
             *place = std::array::from_fn(|d| (place[d] - (low[d] / 2.0 + high[d] / 2.0)) / half);
         }
-        let triangles: Vec<[usize; 3]> = grid.cells().flat_map(|cell| split(cell, grid.points())).collect();
+        let triangles: Vec<[usize; 3]> = numbered(grids)
+            .flat_map(|(first, grid)| {
+                grid.cells().flat_map(move |cell| split(cell, grid.points()).map(|it| it.map(|n| first + n)))
+            })
+            .collect();
         let side = (((triangles.len() / 2) as f64).sqrt() as usize).clamp(1, MOST_BINS);
         let looked = vec![0; triangles.len()];
         let mut scene =
@@ -237,7 +252,7 @@ mod tests {
     #[test]
     fn the_front_half_of_a_ball_is_seen() {
         let view = View::from_direction([0.3, -0.7, 0.2]);
-        let lines = visible_lines(&ball(), &view);
+        let lines = visible_lines(&[ball()], &view);
         let seen: f64 = lines.iter().map(|line| length(line)).sum();
         let all: f64 = all_lines(&ball(), &view).iter().map(|line| length(line)).sum();
         // Cells across the silhouette are visible as a whole.
@@ -258,7 +273,7 @@ mod tests {
                 [-1.0, 4.0 * l - 1.0, 2.0],
             ][k]
         });
-        let lines = visible_lines(&strip, &view);
+        let lines = visible_lines(&[strip], &view);
         // The border v = 0 of the lower level is hidden between x = -1 and x = 1.
         let ends = |x: f64| {
             lines.iter().any(|line| line.iter().any(|p| (p[0] - x).abs() < 1e-6 && p[1].abs() < 1e-6))
@@ -291,8 +306,8 @@ mod tests {
             let grid = Grid::from_fn([6, 6], [false; 2], |k, l| [k as f64, l as f64, heights[6 * k + l]]);
             let view = View::from_direction(direction);
             let way = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| view.depth(axis));
-            let mut scene = Scene::new(&grid, &view).unwrap();
-            for line in grid_lines(&grid) {
+            let mut scene = Scene::new(std::slice::from_ref(&grid), &view).unwrap();
+            for line in grid_lines(&grid, 0) {
                 for (&from, &to) in line.iter().zip(&line[1..]) {
                     let pieces = scene.visible(from, to);
                     for t in [0.11, 0.37, 0.53, 0.91] {

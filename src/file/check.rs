@@ -108,7 +108,8 @@ pub(super) fn table<const N: usize>(name: &str, points: &[[f64; N]]) -> Vec<Stri
 }
 
 /// The shortest digits that read back as the same double: `60`, `0.1`, `1e300`.
-pub(super) fn number(value: f64) -> String {
+#[must_use]
+pub fn number(value: f64) -> String {
     let digits = format!("{value:?}");
     match digits.strip_suffix(".0") {
         Some("-0") | None => digits,

@@ -1,11 +1,11 @@
 //! One type over all contents, and the way between it and DOS files.
 
-use crate::table::Game;
-
+use super::ec::EcDocument;
 use super::{
     BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints,
     Tangents, billiards, settings,
 };
+use crate::table::Game;
 
 /// What a data file holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +26,8 @@ pub enum Document {
     CsangoCube(CsangoCube),
     /// `.BIL`: a game of billiards.
     Billiards(Box<Game>),
+    /// `.KCT` to `.KCJ`: spaces, curves, surfaces and scenes of KC_TER.
+    Ec(Box<EcDocument>),
 }
 
 impl Document {
@@ -98,6 +100,7 @@ impl Document {
             Self::BeadWheel(_) => Format::Gyk,
             Self::CsangoCube(_) => Format::Csk,
             Self::Billiards(_) => Format::Bil,
+            Self::Ec(document) => document.format(),
         }
     }
 
@@ -116,6 +119,7 @@ impl Document {
             Self::BeadWheel(wheel) => wheel.check(),
             Self::CsangoCube(cube) => cube.check(),
             Self::Billiards(game) => game.check().map_err(|error| FileError::Invalid(error.to_string())),
+            Self::Ec(document) => document.check(),
         }
     }
 
@@ -131,6 +135,7 @@ impl Document {
             Self::BeadWheel(wheel) => wheel.describe(),
             Self::CsangoCube(cube) => cube.describe(),
             Self::Billiards(game) => billiards::describe(game),
+            Self::Ec(document) => document.describe(),
         }
     }
 
@@ -145,7 +150,8 @@ impl Document {
             | Self::Fourier(_)
             | Self::BeadWheel(_)
             | Self::CsangoCube(_)
-            | Self::Billiards(_) => Vec::new(),
+            | Self::Billiards(_)
+            | Self::Ec(_) => Vec::new(),
         }
     }
 
@@ -160,7 +166,8 @@ impl Document {
             | Self::Fourier(_)
             | Self::BeadWheel(_)
             | Self::CsangoCube(_)
-            | Self::Billiards(_) => {}
+            | Self::Billiards(_)
+            | Self::Ec(_) => {}
         }
         self
     }

@@ -24,6 +24,11 @@ pub enum Format {
     Gyk,
     Csk,
     Bil,
+    Kct,
+    Kcg,
+    Kcf,
+    Kce,
+    Kcj,
 }
 
 /// One row of the table.
@@ -69,6 +74,11 @@ rows! {
     Gyk "GYK" Some(37), "position of the bead wheel" "a gyöngykerék állása";
     Csk "CSK" Some(17024), "position of the Csángó cube" "a csángó kocka állása";
     Bil "BIL" None, "game of billiards" "biliárdjátszma";
+    Kct "KCT" None, "extended Chebyshev space" "kiterjesztett Csebisev-tér";
+    Kcg "KCG" None, "curve over an extended Chebyshev space" "görbe kiterjesztett Csebisev-térben";
+    Kcf "KCF" None, "surface over extended Chebyshev spaces" "felület kiterjesztett Csebisev-térben";
+    Kce "KCE" None, "coefficients of an exact description" "pontos leírás együtthatói";
+    Kcj "KCJ" None, "scene of curves and surfaces" "görbék és felületek jelenete";
 }
 
 impl Format {

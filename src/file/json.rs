@@ -3,6 +3,7 @@
 //! An object with the `"format"`, named after the extension of the DOS file, and the named fields of the value
 //! type. Fields that may be missing are left out; unknown ones are an error. A plain list is read as points.
 
+use super::ec::EcDocument;
 use super::{Document, FileError, Format, Net, NetKind, TableOptions, json_points, json_text};
 use serde::de::{self, DeserializeOwned, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
@@ -63,6 +64,11 @@ impl Document {
             Format::Gyk => fields(text).map(Self::BeadWheel),
             Format::Csk => fields(text).map(Self::CsangoCube),
             Format::Bil => fields(text).map(Box::new).map(Self::Billiards),
+            Format::Kct => fields(text).map(EcDocument::Space).map(Self::from),
+            Format::Kcg => fields(text).map(EcDocument::Curve).map(Self::from),
+            Format::Kcf => fields(text).map(EcDocument::Patch).map(Self::from),
+            Format::Kce => fields(text).map(EcDocument::Coefficients).map(Self::from),
+            Format::Kcj => fields(text).map(EcDocument::Scene).map(Self::from),
             _ => fields(text).map(|net: Net| {
                 // Every format that is left has a kind of net.
                 Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
@@ -88,6 +94,7 @@ impl Document {
             Self::BeadWheel(value) => tagged(format, value),
             Self::CsangoCube(value) => tagged(format, value),
             Self::Billiards(value) => tagged(format, value.as_ref()),
+            Self::Ec(value) => value.written(),
         };
         compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
     }
@@ -99,6 +106,20 @@ struct Head {
     format: Option<String>,
     /// Games of billiards were saved without their format once.
     balls: Option<de::IgnoredAny>,
+}
+
+impl EcDocument {
+    fn written(&self) -> serde_json::Result<String> {
+        // Their own format spells itself in small letters, here and in the items of a scene.
+        let format = self.format().extension().to_lowercase();
+        match self {
+            Self::Space(value) => tagged(&format, value),
+            Self::Curve(value) => tagged(&format, value),
+            Self::Patch(value) => tagged(&format, value),
+            Self::Coefficients(value) => tagged(&format, value),
+            Self::Scene(value) => tagged(&format, value),
+        }
+    }
 }
 
 fn tagged(format: &str, value: &impl Serialize) -> serde_json::Result<String> {

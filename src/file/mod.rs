@@ -25,6 +25,7 @@ mod check;
 mod convert;
 pub mod cube;
 mod document;
+pub mod ec;
 mod error;
 mod format;
 mod fourier;
@@ -38,7 +39,7 @@ mod space;
 mod table;
 pub mod wheel;
 
-pub use check::MAX_POINTS;
+pub use check::{MAX_POINTS, number};
 pub use convert::{FileKind, TABLES, convert};
 pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;

@@ -21,9 +21,9 @@ pub trait Picture {
         None
     }
 
-    /// The surface that it shows, which F10 can save as a model too.
-    fn surface(&self) -> Option<Box<dyn ParamSurface>> {
-        None
+    /// The surfaces that it shows, which F10 can save as a model too.
+    fn surfaces(&self) -> Vec<Box<dyn ParamSurface>> {
+        Vec::new()
     }
 
     /// What can be done now, which is shown where nothing is asked, in the manner of today.
@@ -89,8 +89,8 @@ impl<F: Fn(&mut Screen, Language)> Picture for Over<'_, F> {
         self.under.figure()
     }
 
-    fn surface(&self) -> Option<Box<dyn ParamSurface>> {
-        self.under.surface()
+    fn surfaces(&self) -> Vec<Box<dyn ParamSurface>> {
+        self.under.surfaces()
     }
 }
 

@@ -10,8 +10,8 @@ use super::frame::Area;
 use super::notice::Stay;
 use super::words::{self, Hot, Phrase};
 use crate::figure::{
-    Axes, Figure, FigureError, ModelFormat, SMALLEST_WIDTH, screen_pdf, screen_png, screen_png_of_scale,
-    screen_svg,
+    Axes, Figure, FigureError, MODEL_TOLERANCE, ModelFormat, ModelOptions, SMALLEST_WIDTH, screen_pdf,
+    screen_png, screen_png_of_scale, screen_svg,
 };
 use crate::geometry::ParamSurface;
 use crate::machine::{Asked, Manner, Storage, free_name};
@@ -86,15 +86,12 @@ impl Desk<'_> {
             return Ok(());
         }
         // The originals show no models: their questions stay as they are.
-        let surface = picture.surface().filter(|_| self.machine.manner() == Manner::Today);
-        let (wanted, extension) = self.ask_format(picture, surface.is_some()).await?;
-        let kind = match (wanted, surface) {
-            (Wanted::Model(format), Some(surface)) => {
-                return self.save_model(picture, format, &*surface, extension).await;
-            }
-            (Wanted::Figure(kind), _) => kind,
-            // Models are offered of surfaces alone.
-            (Wanted::Model(_), None) => return Ok(()),
+        let mut surfaces = picture.surfaces();
+        surfaces.retain(|_| self.machine.manner() == Manner::Today);
+        let (wanted, extension) = self.ask_format(picture, !surfaces.is_empty()).await?;
+        let kind = match wanted {
+            Wanted::Model(format) => return self.save_model(picture, format, &surfaces, extension).await,
+            Wanted::Figure(kind) => kind,
         };
         let width = match kind {
             Kind::Png => self.ask_width(picture, content.widths()).await?,
@@ -123,11 +120,13 @@ impl Desk<'_> {
         &mut self,
         picture: &dyn Picture,
         format: ModelFormat,
-        surface: &dyn ParamSurface,
+        surfaces: &[Box<dyn ParamSurface>],
         extension: &str,
     ) -> Asked<()> {
         let name = self.ask_name(picture, extension).await?;
-        let made = format.encode(surface, STEPS, stem(&name)).map_err(|error| words::figure_problem(&error));
+        let surfaces: Vec<&dyn ParamSurface> = surfaces.iter().map(|surface| &**surface).collect();
+        let options = ModelOptions { steps: STEPS, tolerance: MODEL_TOLERANCE, name: stem(&name) };
+        let made = format.encode(&surfaces, &options).map_err(|error| words::figure_problem(&error));
         let saved = made.and_then(|(file, warning)| {
             let written = self.machine.storage().write(&name, &file);
             written.map_err(|error| words::storage_problem(&error)).map(|()| warning)

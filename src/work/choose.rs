@@ -3,8 +3,9 @@
 use super::files::read_document;
 use super::life::{Work, extension};
 use crate::design::{Design, Shape};
+use crate::figure::all_lines;
 use crate::file::{Document, Format, Method, SPACE_VIEW};
-use crate::geometry::{BoundingBox, Point, View};
+use crate::geometry::{BoundingBox, ParamCurve, ParamSurface, Point, View};
 use crate::machine::{Asked, Event, Key, Language, SAMPLES, Stop, Storage, Tick};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
@@ -22,6 +23,8 @@ const LETTERS: usize = 11;
 const LONGEST: usize = 20;
 /// Steps of a span in a small picture.
 const STEPS: usize = 8;
+/// Steps of a patch there.
+const MESH: usize = 5;
 /// More files than anybody looks through; the others are opened by typing their names.
 const MOST: usize = 400;
 
@@ -110,6 +113,14 @@ fn lines_of(document: &Document) -> Vec<Vec<Point<2>>> {
         Ok(Shape::Space(curve)) => {
             let line = curve.polyline(STEPS).unwrap_or_default();
             vec![line.into_iter().map(|point| view.place(point)).collect()]
+        }
+        Ok(Shape::Parts(parts)) => {
+            let curves = parts.curves.iter().map(|curve| curve.polyline(STEPS).unwrap_or_default());
+            let mut lines: Vec<Vec<Point<2>>> =
+                curves.map(|line| line.into_iter().map(|point| view.place(point)).collect()).collect();
+            let grids = parts.patches.iter().filter_map(|patch| patch.grid(MESH).ok());
+            lines.extend(grids.flat_map(|grid| all_lines(&grid, &view)));
+            lines
         }
         Ok(Shape::Surface(_)) | Err(_) => Vec::new(),
     }

@@ -53,6 +53,21 @@ impl CurveArgs {
                 let common = Common { method: self.named(), k0, bias, tension };
                 Design::Net(self.surface.net(net, common)?)
             }
+            Design::Ec(document) => {
+                let given = [
+                    ("--method", self.method.is_some()),
+                    ("--closed", self.closed),
+                    ("--k0", self.k0.is_some()),
+                    ("--bias", self.bias.is_some()),
+                    ("--tension", self.tension.is_some()),
+                ];
+                if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+                    return Err(Failure::usage(format!(
+                        "{option} is for other curves; {name} says its spaces and intervals itself"
+                    )));
+                }
+                Design::Ec(document)
+            }
             Design::Fourier(coefficients) => {
                 if self.named().is_some_and(|other| other != Method::Fourier) {
                     return Err(Failure::usage(format!(
@@ -97,7 +112,7 @@ impl CurveArgs {
 /// Why a file describes no curve or surface: what the command line can mend is a matter of usage.
 pub(crate) fn failure(name: &str, error: &DesignError) -> Failure {
     match error {
-        DesignError::Geometry(_) | DesignError::NoMatrix | DesignError::NoShape => {
+        DesignError::Geometry(_) | DesignError::Ec { .. } | DesignError::NoMatrix | DesignError::NoShape => {
             Failure::work(format!("{name}: {error}"))
         }
         _ => Failure::usage(error),

@@ -3,12 +3,14 @@
 mod config;
 mod convert;
 mod curve;
+mod ec;
 mod reference;
 mod render;
 mod sample;
 mod smooth;
 mod solve;
 mod source;
+mod space;
 mod surface;
 
 use clap::error::ErrorKind;
@@ -70,6 +72,16 @@ enum Command {
     Smooth(smooth::Smooth),
     /// Tell the moves that finish a puzzle, or count the ways
     Solve(solve::Solve),
+    /// Write the functions of an extended Chebyshev space as a table
+    Basis(space::BasisTable),
+    /// Tell how long the intervals of an extended Chebyshev space may be
+    Critical(space::Critical),
+    /// Raise the order of a curve or surface over extended Chebyshev spaces by a root
+    Elevate(ec::Elevate),
+    /// Divide a curve or surface over extended Chebyshev spaces
+    Split(ec::Split),
+    /// Make control points from the coefficients of an exact description
+    Exact(ec::Exact),
     /// Install programs with their samples into a folder, on a page of text or as a plain command
     #[command(after_help = Install::examples("grafika install"))]
     Install(Install),
@@ -110,6 +122,11 @@ fn run() -> Result<(), Failure> {
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Solve(solve)) => solve.run(),
+        Some(Command::Basis(basis)) => basis.run(),
+        Some(Command::Critical(critical)) => critical.run(),
+        Some(Command::Elevate(elevate)) => elevate.run(),
+        Some(Command::Split(split)) => split.run(),
+        Some(Command::Exact(exact)) => exact.run(),
         Some(Command::Install(install)) => install.run(),
         Some(Command::Config(config)) => config.run(),
         Some(Command::Completions(completions)) => completions.run(),

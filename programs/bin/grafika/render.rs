@@ -3,13 +3,17 @@
 use crate::curve::CurveArgs;
 use crate::sample::{SURFACE_STEPS, extension};
 use clap::Args;
+use grafika::design::ec::EcShapes;
 use grafika::design::{Design, NetDesign, Shape, Sketch};
 use grafika::figure::{
-    Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, ModelFormat, NOMINAL_WIDTH, SMALLEST_WIDTH, closure,
+    Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, MODEL_TOLERANCE, ModelFormat, ModelOptions,
+    NOMINAL_WIDTH, SMALLEST_WIDTH, closure, print_ink,
 };
 use grafika::file::SPACE_VIEW;
-use grafika::geometry::{BoundingBox, Closure, GeometryError, ParamSurface, Point, View};
+use grafika::file::ec::{EcCurve, EcDocument, Item};
+use grafika::geometry::{BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, Point, View};
 use grafika::launch::{Failure, progress, say, write_output};
+use grafika::screen::Color;
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -49,6 +53,9 @@ pub(crate) struct Render {
     /// Steps a cell of a surface's net [default: 10]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     per_span: Option<u32>,
+    /// How far a fitted surface in .step may be from the exact one, as a part of its size [default: 1e-6]
+    #[arg(long, value_name = "X", value_parser = tolerance)]
+    tolerance: Option<f64>,
     /// Direction from which a space curve or a surface is seen [default: that of the book's programs]
     #[arg(long, value_name = "A,B,C", value_parser = direction, allow_hyphen_values = true)]
     view: Option<Point<3>>,
@@ -68,7 +75,18 @@ impl Render {
     /// What is written.
     fn content(&self, design: Design, shape: &Shape, format: Format) -> Result<Vec<u8>, Failure> {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
-            return self.surface(net, &**surface, format);
+            if !format.is_model() {
+                let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+                return self.picture(&self.wireframe(net, &**surface, steps)?, format);
+            }
+            self.check_model()?;
+            return self.model(&[&*net.solid().map_err(Failure::work)?], format);
+        }
+        if self.tolerance.is_some() && format != Format::Step {
+            return Err(Failure::usage("--tolerance is for .step"));
+        }
+        if let (Design::Ec(document), Shape::Parts(parts)) = (&design, shape) {
+            return self.parts(document, parts, format);
         }
         if format.is_model() {
             let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
@@ -115,17 +133,8 @@ impl Render {
         content.map_err(Failure::work)
     }
 
-    /// A surface in any format.
-    fn surface(
-        &self,
-        net: &NetDesign,
-        surface: &dyn ParamSurface,
-        format: Format,
-    ) -> Result<Vec<u8>, Failure> {
-        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-        if !format.is_model() {
-            return self.picture(&self.wireframe(net, surface, steps)?, format);
-        }
+    /// Options that a model has no place for.
+    fn check_model(&self) -> Result<(), Failure> {
         let unused = [
             ("--view", self.view.is_some()),
             ("--points", self.points),
@@ -133,10 +142,16 @@ impl Render {
             ("--caption", self.caption.is_some()),
             ("--axes", self.axes),
         ];
-        if let Some((option, _)) = unused.into_iter().find(|(_, given)| *given) {
-            return Err(Failure::usage(format!("{option} is for pictures; models have no such thing")));
+        match unused.into_iter().find(|(_, given)| *given) {
+            Some((option, _)) => {
+                Err(Failure::usage(format!("{option} is for pictures; models have no such thing")))
+            }
+            None => Ok(()),
         }
-        let surface = net.solid().map_err(Failure::work)?;
+    }
+
+    /// Surfaces as a model.
+    fn model(&self, surfaces: &[&dyn ParamSurface], format: Format) -> Result<Vec<u8>, Failure> {
         let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
         let model = match format {
             Format::Step => ModelFormat::Step,
@@ -144,12 +159,77 @@ impl Render {
             Format::Obj => ModelFormat::Obj,
             _ => ModelFormat::Ply,
         };
-        let made = model.encode(&*surface, steps, &name.unwrap_or_default());
-        let (content, warning) = made.map_err(Failure::work)?;
+        let options = ModelOptions {
+            steps: self.per_span.unwrap_or(SURFACE_STEPS) as usize,
+            tolerance: self.tolerance.unwrap_or(MODEL_TOLERANCE),
+            name: &name.unwrap_or_default(),
+        };
+        let (content, warning) = model.encode(surfaces, &options).map_err(Failure::work)?;
         if let Some(warning) = warning {
             say("grafika", &warning);
         }
         Ok(content)
+    }
+
+    /// Arcs and patches over extended Chebyshev spaces: curves within a tolerance that no picture shows, patches by
+    /// the lines that nothing hides.
+    fn parts(&self, document: &EcDocument, parts: &EcShapes, format: Format) -> Result<Vec<u8>, Failure> {
+        if format.is_model() {
+            self.check_model()?;
+            if parts.patches.is_empty() {
+                let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
+                return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
+            }
+            if !parts.curves.is_empty() {
+                say("grafika", "models are of surfaces; the curves of this scene are left out");
+            }
+            let surfaces: Vec<&dyn ParamSurface> =
+                parts.patches.iter().map(|patch| patch as &dyn ParamSurface).collect();
+            return self.model(&surfaces, format);
+        }
+        let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
+        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        let grids: Vec<Grid> = parts
+            .patches
+            .iter()
+            .map(|patch| patch.grid(steps))
+            .collect::<Result<_, _>>()
+            .map_err(Failure::work)?;
+        let mut figure = self.titled();
+        if !grids.is_empty() {
+            figure.plot_surfaces(&grids, &view, Hidden::LeftOut);
+        }
+        let place = |&point: &Point<3>| view.place(point);
+        let lines = |net: &[Vec<Point<3>>]| -> Vec<Vec<Point<2>>> {
+            let columns = net.first().map_or(0, Vec::len);
+            let across = (0..columns).map(|l| net.iter().filter_map(|row| row.get(l)).map(place).collect());
+            net.iter().map(|row| row.iter().map(place).collect()).chain(across).collect()
+        };
+        let nets = parts.patches.iter().map(|patch| patch.net());
+        if self.polygon {
+            let polygons = parts.curves.iter().map(|arc| arc.points().iter().map(place).collect());
+            let all = polygons.chain(nets.clone().flat_map(lines));
+            all.for_each(|line: Vec<Point<2>>| figure.plot_polygon(line, Closure::Open));
+        }
+        let inks = curve_inks(document);
+        for (arc, ink) in parts.curves.iter().zip(inks.into_iter().chain(std::iter::repeat(CURVE_INK))) {
+            figure.plot_space_curve(arc, &view, ink).map_err(Failure::work)?;
+        }
+        if self.points {
+            for arc in &parts.curves {
+                let labelled = arc.points().iter().enumerate();
+                labelled.for_each(|(i, point)| figure.plot_point(place(point), Some(i.to_string())));
+            }
+            for (i, row) in nets.clone().flat_map(|net| net.iter().enumerate()) {
+                let labelled = row.iter().enumerate();
+                labelled.for_each(|(j, point)| figure.plot_point(place(point), Some(format!("{i},{j}"))));
+            }
+        }
+        let curves = parts.curves.iter().map(|arc| arc.bounding_box());
+        let patches = grids.iter().map(|grid| BoundingBox::of_points(grid.points()));
+        let bounds = curves.chain(patches).flatten().reduce(BoundingBox::union);
+        self.measure(&mut figure, view, [bounds, None]);
+        self.picture(&figure, format)
     }
 
     /// The visible lines of a surface, with its net over them.
@@ -220,6 +300,26 @@ impl Render {
     }
 }
 
+/// The colours of the curves of a document, for paper; a white one is drawn as curves are.
+fn curve_inks(document: &EcDocument) -> Vec<[u8; 3]> {
+    let ink = |curve: &EcCurve| match Color::from_index(curve.style.colour) {
+        Color::White => CURVE_INK,
+        color => print_ink(color),
+    };
+    match document {
+        EcDocument::Curve(curve) => vec![ink(curve)],
+        EcDocument::Scene(scene) => scene
+            .items
+            .iter()
+            .filter_map(|item| match item {
+                Item::Curve(curve) => Some(ink(curve)),
+                Item::Patch(_) => None,
+            })
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// What is said where axes were asked for and cannot be drawn.
 const NO_AXES: &str = "the picture has no axes: so far from the origin their numbers would need too many digits to be \
                        told apart; move the points nearer to the origin";
@@ -263,6 +363,12 @@ impl Format {
     fn is_model(self) -> bool {
         !matches!(self, Format::Png | Format::Svg | Format::Pdf)
     }
+}
+
+/// Reads a tolerance as a part of the size.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1.0);
+    number.ok_or_else(|| "give a part of the size, above 0 and at most 1, as in 1e-6".to_owned())
 }
 
 /// Reads a direction as three numbers, scaled to 1, not straight from above or below.

@@ -4,8 +4,9 @@ use crate::curve::CurveArgs;
 use crate::source::is_stream;
 use clap::Args;
 use grafika::design::Shape;
+use grafika::design::ec::EcShapes;
 use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
-use grafika::geometry::{GeometryError, Sample as Place, SurfaceSample};
+use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
 
@@ -24,6 +25,12 @@ pub(crate) struct Sample {
     /// Steps a span: u = 0, 1/N, ... 1 [default: 50, of surfaces 10 in either direction]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     per_span: Option<u32>,
+    /// First, or first and second derivatives of a curve, by its parameter
+    #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=2))]
+    derivatives: u8,
+    /// Which items of a scene that has both
+    #[arg(long, value_name = "KIND")]
+    items: Option<Items>,
     /// Where to write; .csv or .json [default: CSV on standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
@@ -32,33 +39,107 @@ pub(crate) struct Sample {
     to: Option<String>,
 }
 
+/// Which items of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Items {
+    Curves,
+    Surfaces,
+}
+
 impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let steps = self.per_span.unwrap_or(50) as usize;
         let (_, shape) = self.curve.shape()?;
         let alive = progress::alive("sampling");
         let text = match shape {
-            Shape::Plane(curve) => self.text(curve.sample(steps)),
-            Shape::Space(curve) => self.text(curve.sample(steps)),
-            Shape::Surface(surface) => {
-                let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-                let samples: Vec<SurfaceSample> = surface.sample(steps).map_err(Failure::work)?;
-                self.table(samples.into_iter(), surface_csv, surface_json)
-            }
+            Shape::Plane(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
+            Shape::Space(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
+            Shape::Surface(surface) => self.surface_text([(0, &*surface)].into_iter()),
+            Shape::Parts(parts) => self.parts(&parts),
         }?;
         drop(alive);
         write_output(self.output.as_deref(), text.as_bytes())
     }
 
-    fn text<const D: usize>(&self, samples: Result<Vec<Place<D>>, GeometryError>) -> Result<String, Failure> {
-        let samples = samples.map_err(Failure::work)?;
-        let rows = samples.iter().map(|sample| (sample.span, sample.u, sample.point));
-        self.table(rows, curve_csv, curve_json)
+    /// The curves or the surfaces of a scene, numbered in their order.
+    fn parts(&self, parts: &EcShapes) -> Result<String, Failure> {
+        let items = match (self.items, parts.curves.is_empty(), parts.patches.is_empty()) {
+            (Some(items), ..) => items,
+            (None, false, false) => {
+                return Err(Failure::usage(
+                    "this scene has curves and surfaces; say --items curves or --items surfaces",
+                ));
+            }
+            (None, true, false) => Items::Surfaces,
+            (None, ..) => Items::Curves,
+        };
+        match items {
+            Items::Curves => {
+                let curves = parts.curves.iter().enumerate();
+                self.curve_text(curves.map(|(k, arc)| (k, arc as &dyn ParamCurve<3>, arc.basis().length())))
+            }
+            Items::Surfaces => {
+                let patches = parts.patches.iter().enumerate();
+                self.surface_text(patches.map(|(k, patch)| (k, patch as &dyn ParamSurface)))
+            }
+        }
+    }
+
+    /// The points of curves, each with the number of its first span and the length of its parameter in a span, by
+    /// which derivatives are taken.
+    fn curve_text<'a, const D: usize>(
+        &self,
+        curves: impl Iterator<Item = (usize, &'a dyn ParamCurve<D>, f64)>,
+    ) -> Result<String, Failure> {
+        let steps = self.per_span.unwrap_or(50) as usize;
+        let derivatives = usize::from(self.derivatives);
+        let mut rows = Vec::new();
+        for (first, curve, length) in curves {
+            let samples = curve.sample(steps).map_err(Failure::work)?;
+            rows.extend(samples.into_iter().map(|Place { span, u, point }| {
+                let mut points = vec![point];
+                let derived = curve.at(span, u).filter(|_| derivatives > 0);
+                let scaled = |(by, point): (f64, Point<D>)| point.map(|x| x / by);
+                points.extend(derived.into_iter().flat_map(|[_, first, second]| {
+                    [(length, first), (length * length, second)].map(scaled).into_iter().take(derivatives)
+                }));
+                (first + span, u, points)
+            }));
+        }
+        self.table(
+            rows.into_iter(),
+            |rows| curve_csv(derivatives, rows),
+            |rows| curve_json(derivatives, rows),
+        )
+    }
+
+    fn surface_text<'a>(
+        &self,
+        surfaces: impl Iterator<Item = (usize, &'a dyn ParamSurface)>,
+    ) -> Result<String, Failure> {
+        if self.derivatives > 0 {
+            return Err(Failure::usage("--derivatives is for curves; this file holds a surface"));
+        }
+        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        let mut rows: Vec<SurfaceSample> = Vec::new();
+        for (first, surface) in surfaces {
+            let samples = surface.sample(steps).map_err(Failure::work)?;
+            let numbered = samples.into_iter().map(|sample| {
+                let [i, j] = sample.spans;
+                SurfaceSample { spans: [first + i, j], ..sample }
+            });
+            rows.extend(numbered);
+        }
+        self.table(rows.into_iter(), surface_csv, surface_json)
     }
 
     /// The rows in the format of the output.
-    fn table<I>(&self, rows: I, csv: fn(I) -> String, json: fn(I) -> String) -> Result<String, Failure> {
+    fn table<I>(
+        &self,
+        rows: I,
+        csv: impl Fn(I) -> String,
+        json: impl Fn(I) -> String,
+    ) -> Result<String, Failure> {
         let said = self.to.as_ref().map(|said| said.to_lowercase());
         match said.or_else(|| extension(self.output.as_deref())).as_deref() {
             None | Some("csv") => Ok(csv(rows)),

@@ -2,6 +2,7 @@
 
 use super::text::roots;
 use super::{EcError, MAX_DIMENSION, Root};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
@@ -18,7 +19,8 @@ use std::str::FromStr;
 /// assert_eq!("P5".parse::<Space>()?.dimension(), 6);
 /// # Ok::<(), grafika::geometry::ec::EcError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<Root>", into = "Vec<Root>")]
 pub struct Space {
     roots: Vec<Root>,
 }
@@ -166,6 +168,20 @@ impl Space {
     #[must_use]
     pub fn functions(&self, u: &str) -> Vec<String> {
         self.roots.iter().flat_map(|root| functions_of(root, u)).collect()
+    }
+}
+
+impl TryFrom<Vec<Root>> for Space {
+    type Error = EcError;
+
+    fn try_from(roots: Vec<Root>) -> Result<Self, EcError> {
+        Self::new(roots)
+    }
+}
+
+impl From<Space> for Vec<Root> {
+    fn from(space: Space) -> Self {
+        space.roots
     }
 }
 

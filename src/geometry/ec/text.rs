@@ -1,6 +1,8 @@
 //! Numbers and roots as people type them: `pi/2`, `-3/10+(sqrt(2))*i`, `0^3,i^2,2i`.
 
 use super::EcError;
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::str::FromStr;
 
@@ -86,15 +88,71 @@ impl fmt::Display for Real {
     }
 }
 
+impl Serialize for Real {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match &self.text {
+            Some(text) => serializer.serialize_str(text),
+            None => serializer.serialize_f64(self.value),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Real {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Number;
+
+        impl Visitor<'_> for Number {
+            type Value = Real;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number, or an expression in quotes")
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Real, E> {
+                Ok(value.into())
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Real, E> {
+                Ok((value as f64).into())
+            }
+
+            fn visit_u64<E: de::Error>(self, value: u64) -> Result<Real, E> {
+                Ok((value as f64).into())
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Real, E> {
+                text.parse().map_err(E::custom)
+            }
+        }
+
+        deserializer.deserialize_any(Number)
+    }
+}
+
 /// A root of the characteristic polynomial: a real number, or `re ± im i` for the pair of both.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Root {
     /// The real part.
     pub re: Real,
     /// The imaginary part, at least 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
     pub im: Real,
     /// How often the root is there, at least 1.
+    #[serde(default = "once", skip_serializing_if = "is_once")]
     pub multiplicity: usize,
+}
+
+fn is_zero(number: &Real) -> bool {
+    number.value == 0.0
+}
+
+fn once() -> usize {
+    1
+}
+
+fn is_once(multiplicity: &usize) -> bool {
+    *multiplicity == 1
 }
 
 impl Root {

@@ -8,6 +8,7 @@
 
 mod bspline;
 mod exact;
+mod fit;
 mod grid;
 mod inspect;
 mod param;

@@ -4,8 +4,7 @@
 //! curvature are written here once, sections in [`section`](super::section()). A kind that knows a quicker or an
 //! exact way overrides them. Pictures, models and editors take a `&dyn ParamSurface` and know no kinds.
 
-use super::inspect;
-use super::{BSplineSurface, Derivatives, Grid};
+use super::{BSplineSurface, Derivatives, Grid, fit, inspect};
 use crate::geometry::point::norm;
 use crate::geometry::{BoundingBox, GeometryError, MAX_SAMPLES, Point, dot};
 use std::fmt;
@@ -181,6 +180,15 @@ pub trait ParamSurface: fmt::Debug {
     /// The surface as one B-spline surface, exactly; `None` where it is none, as here.
     fn to_bspline(&self) -> Option<BSplineSurface> {
         None
+    }
+
+    /// The surface as one bicubic B-spline surface that is nowhere further from it than `tolerance`, in the unit of
+    /// the points, compared at many places, which is no proof. Exact where [`ParamSurface::to_bspline`] is.
+    ///
+    /// # Errors
+    /// A tolerance that is not positive, [`GeometryError::ToleranceTooSmall`] where many patches do not suffice.
+    fn fitted_bspline(&self, tolerance: f64) -> Result<BSplineSurface, GeometryError> {
+        self.to_bspline().map_or_else(|| fit::fitted(self, tolerance), Ok)
     }
 }
 
