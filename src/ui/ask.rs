@@ -4,7 +4,8 @@
 use super::desk::{Desk, Over, Picture};
 use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
-use super::words::{self, Hot, Phrase, Words};
+use super::save::line_entry;
+use super::words::{self, Hot, Phrase};
 use crate::machine::{Asked, Key, Language, Manner, Stop, Tick};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
@@ -448,16 +449,51 @@ impl Desk<'_> {
         }
     }
 
-    /// Asks for a line of text on the page at the top, below a caption.
+    /// Asks for a line of text on the page at the top, below a caption; Enter takes what is proposed.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn text(
+        &mut self,
+        picture: &dyn Picture,
+        caption: impl Into<Phrase>,
+        proposal: &str,
+    ) -> Asked<String> {
+        let entry = line_entry(LONGEST_TEXT, Accepts::Text);
+        let entry = if proposal.is_empty() { entry } else { entry.proposing(proposal) };
+        self.type_line(picture, caption, entry).await
+    }
+
+    /// As [`Desk::text`], until a text has a meaning; why one has none is said.
+    ///
+    /// # Errors
+    /// [`Stop`]: Esc, or the display is being closed.
+    pub async fn meaning<T>(
+        &mut self,
+        picture: &dyn Picture,
+        caption: impl Into<Phrase>,
+        proposal: &str,
+        read: impl Fn(&str) -> Result<T, Phrase>,
+    ) -> Asked<T> {
+        let caption = caption.into();
+        let mut proposal = proposal.to_owned();
+        loop {
+            let text = self.text(picture, caption.clone(), &proposal).await?;
+            match read(&text) {
+                Ok(meaning) => return Ok(meaning),
+                Err(problem) => self.tell(problem, super::Stay::UntilRead),
+            }
+            proposal = text;
+        }
+    }
+
     pub(super) async fn type_line(
         &mut self,
         picture: &dyn Picture,
-        caption: Words,
+        caption: impl Into<Phrase>,
         mut entry: Entry,
     ) -> Asked<String> {
+        let caption = caption.into();
         let strip = self.strip(TOP);
         loop {
             let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
@@ -479,6 +515,8 @@ impl Desk<'_> {
     }
 }
 
+/// Greatest length of a line of text, in characters.
+const LONGEST_TEXT: usize = 200;
 /// Greatest length of a file name with a proposal, in characters.
 const LONGEST_NAME: usize = 20;
 

@@ -20,6 +20,7 @@ mod program;
 mod save;
 mod settings;
 mod stopwatch;
+pub(crate) mod tint;
 pub mod words;
 
 pub use ask::{Answer, Caption, Choices, Field, Form, MIDDLE, Number, Question, TOP, Way};

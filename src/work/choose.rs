@@ -1,7 +1,7 @@
 //! Choosing a stored file: those that fit, of the folder and of the built-in samples, each in a small picture.
 
 use super::files::read_document;
-use super::life::{Work, extension};
+use super::life::Work;
 use crate::design::{Design, Shape};
 use crate::figure::all_lines;
 use crate::file::{Document, Format, Method, SPACE_VIEW};
@@ -52,9 +52,10 @@ struct Chooser {
 pub(super) async fn choose_file<W: Work>(state: &W, desk: &mut Desk<'_>) -> Asked<String> {
     let area = Area::new(PAGE.x1 + 150, PAGE.y2 - 22, PAGE.x1 + 330, PAGE.y2 - 9);
     let entry = Entry::new(area, (area.x1 + 8, area.y1 + 3), LONGEST, Accepts::Name);
-    let found = fitting(desk.machine.storage(), state.format());
+    let endings: Vec<String> = state.extensions().iter().map(|it| format!(".{it}")).collect();
+    let found = fitting(desk.machine.storage(), state.format(), &endings);
     let mut chooser = Chooser { found, entry, chosen: 0 };
-    let ending = format!(".{}", extension(Some(state.format())));
+    let ending = endings.into_iter().next().unwrap_or_default();
     loop {
         let over = Over::new(state, |screen: &mut Screen, language: Language| {
             chooser.draw(screen, language, &ending);
@@ -66,10 +67,10 @@ pub(super) async fn choose_file<W: Work>(state: &W, desk: &mut Desk<'_>) -> Aske
     }
 }
 
-/// The files of a format, those of the folder first.
-fn fitting(storage: &dyn Storage, format: Format) -> Vec<Found> {
-    let ending = format!(".{}", extension(Some(format))).to_ascii_lowercase();
-    let fits = |name: &str| name.to_ascii_lowercase().ends_with(&ending);
+/// The files of a format, which have one of some endings, those of the folder first.
+fn fitting(storage: &dyn Storage, format: Format, endings: &[String]) -> Vec<Found> {
+    let endings: Vec<String> = endings.iter().map(|ending| ending.to_ascii_lowercase()).collect();
+    let fits = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
     let mut own: Vec<String> = storage.names().into_iter().filter(|name| fits(name)).collect();
     own.sort_by_key(|name| name.to_ascii_lowercase());
     own.truncate(MOST);
@@ -80,9 +81,9 @@ fn fitting(storage: &dyn Storage, format: Format) -> Vec<Found> {
     let names = own.into_iter().map(named(false)).chain(samples.into_iter().map(named(true)));
     // What cannot be read is left out only where the name alone does not say that it fits.
     let readable = names.filter_map(|(name, built_in)| {
-        let document = read_document(storage, &name, format).ok();
+        let document = read_document(storage, &name, Format::from_name(&name).unwrap_or(format)).ok();
         let lines = document.as_ref().map(lines_of).unwrap_or_default();
-        (document.is_some() || ending != ".json").then_some(Found { name, built_in, lines })
+        (document.is_some() || endings != [".json"]).then_some(Found { name, built_in, lines })
     });
     readable.collect()
 }

@@ -50,6 +50,11 @@ pub trait Work: Picture {
         Some(self.format()).filter(|format| format.size().is_some())
     }
 
+    /// The extensions of its stored files; the first is that of a name without one.
+    fn extensions(&self) -> Vec<&'static str> {
+        vec![extension(Some(self.format()))]
+    }
+
     /// The edited value with its history.
     fn history(&mut self) -> &mut History<Self::Value>;
 
@@ -262,7 +267,9 @@ pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay
     state.settle();
     let name = match desk.machine.manner() {
         Manner::Today => choose_file(&*state, desk).await?,
-        Manner::Original => desk.file_name(&*state, extension(Some(state.format())), Way::Load).await?,
+        Manner::Original => {
+            desk.file_name(&*state, state.extensions().first().copied().unwrap_or(JSON), Way::Load).await?
+        }
     };
     let read = state.read(desk.machine.storage(), &name);
     let done = desk.done(read, stay);
@@ -276,7 +283,10 @@ pub(crate) async fn load<W: Work>(state: &mut W, desk: &mut Desk<'_>, stay: Stay
 /// Asks for a name and saves; returns whether that was done.
 pub(crate) async fn save<W: Work>(state: &mut W, desk: &mut Desk<'_>) -> Asked<bool> {
     state.settle();
-    let extension = extension(state.saved_as());
+    let extension = match state.saved_as() {
+        Some(format) if format == state.format() => state.extensions().first().copied().unwrap_or(JSON),
+        other => extension(other),
+    };
     let name = match desk.machine.manner() {
         Manner::Today => desk.file_name_or(&*state, extension).await?,
         Manner::Original => desk.file_name(&*state, extension, Way::Save).await?,

@@ -8,6 +8,7 @@ use crate::geometry::{ParamSurface, Plane, Point, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::look::Look;
+use crate::ui::tint;
 use crate::ui::{Desk, Stay, words};
 
 /// What colours show.
@@ -44,14 +45,6 @@ const STEP: f64 = 10.0;
 const FINE: usize = 28;
 /// Largest number of coloured cells along one direction.
 const MOST_CELLS: usize = 256;
-/// Number of stripes from the middle of the surface to its silhouette.
-const STRIPES: f64 = 12.0;
-
-/// Colours of negative curvature from strong to weak, of none, and of positive curvature from weak to strong.
-const SADDLE: [Color; 4] = [Color::LightBlue, Color::Blue, Color::LightCyan, Color::Cyan];
-const FLAT: Color = Color::DarkGray;
-const DOME: [Color; 4] = [Color::Brown, Color::Yellow, Color::Red, Color::LightRed];
-
 impl Editor<Nets, 3> {
     /// Switches inspection and section, and moves the plane; returns whether the event was for that.
     pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
@@ -114,7 +107,7 @@ impl Inspection {
             Inspection::Curvature => Box::new(move |place| place.curvature(size)),
         };
         let mut colors = places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place));
-        draw_cells(screen, &grid, look, |_| (colors.next().unwrap_or(FLAT), None));
+        draw_cells(screen, &grid, look, |_| (colors.next().unwrap_or(tint::FLAT), None));
         true
     }
 }
@@ -144,25 +137,11 @@ fn places(
 
 impl Place<'_> {
     fn zebra(&self, toward: Point<3>) -> Color {
-        let Some(normal) = self.surface.normal(self.spans, self.parameters) else {
-            return FLAT;
-        };
-        let cosine: f64 = normal.iter().zip(toward).map(|(a, b)| a * b).sum();
-        let angle = cosine.abs().min(1.0).acos();
-        if (angle * STRIPES) as i64 % 2 == 0 { Color::White } else { Color::Blue }
+        tint::zebra(self.surface.normal(self.spans, self.parameters), toward)
     }
 
     fn curvature(&self, size: f64) -> Color {
-        let Some(curvature) = self.surface.gaussian_curvature(self.spans, self.parameters) else {
-            return FLAT;
-        };
-        // In this unit a sphere as large as the surface has curvature 4.
-        let relative = curvature * size * size;
-        let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();
-        match strength {
-            0 => FLAT,
-            strength if relative > 0.0 => DOME[strength.min(4) - 1],
-            strength => SADDLE[4 - strength.min(4)],
-        }
+        let curvature = self.surface.gaussian_curvature(self.spans, self.parameters);
+        tint::curvature(curvature.map(|curvature| curvature * size * size))
     }
 }

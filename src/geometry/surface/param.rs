@@ -75,16 +75,8 @@ pub trait ParamSurface: fmt::Debug {
     /// # Errors
     /// [`GeometryError::Samples`] for no steps at all or too many points.
     fn grid(&self, per_cell: usize) -> Result<Grid, GeometryError> {
+        let [rows, columns] = self.grid_size(per_cell)?;
         let spans = self.spans();
-        let steps = |d: usize, per_cell: usize| {
-            (0..spans[d]).map(move |span| self.steps(d, span, per_cell)).fold(0, usize::saturating_add)
-        };
-        let [rows, columns] = [0, 1].map(|d| steps(d, per_cell).saturating_add(1));
-        if per_cell == 0 || rows.saturating_mul(columns) > MAX_SAMPLES {
-            let cells = steps(0, 1).saturating_mul(steps(1, 1));
-            let most = ((MAX_SAMPLES / cells.max(1)) as f64).sqrt() as usize;
-            return Err(GeometryError::Samples { per_span: per_cell, most: most.saturating_sub(1) });
-        }
         let mut points = vec![[0.0; 3]; rows * columns];
         let mut rest = points.as_mut_slice();
         for i in 0..spans[0] {
@@ -97,6 +89,24 @@ pub trait ParamSurface: fmt::Debug {
             }
         }
         Ok(Grid::new(rows, columns, points, self.closed()))
+    }
+
+    /// The numbers of rows and columns of [`ParamSurface::grid`].
+    ///
+    /// # Errors
+    /// As [`ParamSurface::grid`].
+    fn grid_size(&self, per_cell: usize) -> Result<[usize; 2], GeometryError> {
+        let spans = self.spans();
+        let steps = |d: usize, per_cell: usize| {
+            (0..spans[d]).map(move |span| self.steps(d, span, per_cell)).fold(0, usize::saturating_add)
+        };
+        let [rows, columns] = [0, 1].map(|d| steps(d, per_cell).saturating_add(1));
+        if per_cell == 0 || rows.saturating_mul(columns) > MAX_SAMPLES {
+            let cells = steps(0, 1).saturating_mul(steps(1, 1));
+            let most = ((MAX_SAMPLES / cells.max(1)) as f64).sqrt() as usize;
+            return Err(GeometryError::Samples { per_span: per_cell, most: most.saturating_sub(1) });
+        }
+        Ok([rows, columns])
     }
 
     /// The places of the lines of [`ParamSurface::grid`] in a direction: span and parameter. The line that repeats

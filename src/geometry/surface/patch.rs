@@ -99,4 +99,15 @@ impl Derivatives {
         let curvature = second / first;
         curvature.is_finite().then_some(curvature)
     }
+
+    /// The mean curvature (EN - 2FM + GL)/(2(EG - F²)), positive where the surface bends towards its normal. `None` where
+    /// there is no normal.
+    #[must_use]
+    pub fn mean_curvature(&self) -> Option<f64> {
+        let normal = self.normal()?;
+        let [e, f, g] = [dot(self.u, self.u), dot(self.u, self.v), dot(self.v, self.v)];
+        let [l, m, n] = [self.uu, self.uv, self.vv].map(|second| dot(second, normal));
+        let curvature = (e * n - 2.0 * f * m + g * l) / (2.0 * (e * g - f * f));
+        curvature.is_finite().then_some(curvature)
+    }
 }

@@ -1,7 +1,7 @@
 //! Surfaces by two bases, one a direction.
 
-use super::{Derivatives, ParamSurface};
-use crate::geometry::basis::blended;
+use super::{Derivatives, Grid, ParamSurface};
+use crate::geometry::basis::{blended, summed};
 use crate::geometry::point::check_points;
 use crate::geometry::{Basis, GeometryError, Point};
 
@@ -88,19 +88,72 @@ impl<U: Basis, V: Basis> ParamSurface for Weave<U, V> {
         Some(Derivatives { point, u, v, uu, uv, vv })
     }
 
+    fn eval(&self, [i, j]: [usize; 2], [u, v]: [f64; 2]) -> Option<Point<3>> {
+        let [along_u, along_v] = [Values::of(&self.u, i, u)?, Values::of(&self.v, j, v)?];
+        let count = self.v.points();
+        let line =
+            (0..along_v.values.len()).map(|l| self.blended_column(&along_u, (along_v.first + l) % count));
+        Some(summed(&along_v.values, line))
+    }
+
     /// The columns of the net are blended once for the whole line.
     fn row(&self, i: usize, u: f64, per_cell: usize, row: &mut [Point<3>]) {
-        let Some(along_u) = Self::seen(&self.u, i, u) else { return };
-        let line: Vec<Point<3>> = (0..self.v.points()).map(|l| self.column(&along_u, l)[0]).collect();
-        let mut weights = Vec::new();
-        for j in 0..self.v.spans() {
-            let places = row.iter_mut().skip(j * per_cell).take(per_cell + 1);
-            for (step, point) in places.enumerate() {
-                if let Some(first) = self.v.weights(j, step as f64 / per_cell as f64, &mut weights) {
-                    let [here, ..] = blended(&weights, line.iter().cycle().skip(first).copied());
-                    *point = here;
-                }
-            }
+        let Some(along_u) = Values::of(&self.u, i, u) else { return };
+        self.blend_row(&along_u, &Values::table(&self.v, per_cell), row);
+    }
+
+    /// The values along `v` are computed once for all lines.
+    fn grid(&self, per_cell: usize) -> Result<Grid, GeometryError> {
+        self.grid_size(per_cell)?;
+        Ok(self.mesh([per_cell; 2]))
+    }
+}
+
+/// The values of the functions at a place, and the number of the first point that they are for.
+struct Values {
+    first: usize,
+    values: Vec<f64>,
+}
+
+impl Values {
+    fn of(basis: &impl Basis, span: usize, u: f64) -> Option<Self> {
+        let mut values = Vec::new();
+        let first = basis.values(span, u, &mut values)?;
+        Some(Self { first, values })
+    }
+
+    /// Those of equal steps through all spans; where spans meet, those of the span that begins there.
+    fn table(basis: &impl Basis, per_span: usize) -> Vec<Self> {
+        let steps = per_span.max(1) as f64;
+        let spans = basis.spans();
+        let end = (spans > 0).then(|| (spans - 1, 1.0));
+        let places = (0..spans).flat_map(|span| (0..per_span).map(move |step| (span, step as f64 / steps)));
+        places.chain(end).filter_map(|(span, u)| Self::of(basis, span, u)).collect()
+    }
+}
+
+impl<U: Basis, V: Basis> Weave<U, V> {
+    /// The points in equal steps of every span along u and along v, at least one step in either direction.
+    #[must_use]
+    pub fn mesh(&self, steps: [usize; 2]) -> Grid {
+        let [u, v] = [Values::table(&self.u, steps[0].max(1)), Values::table(&self.v, steps[1].max(1))];
+        let mut points = vec![[0.0; 3]; u.len() * v.len()];
+        for (along_u, row) in u.iter().zip(points.chunks_mut(v.len().max(1))) {
+            self.blend_row(along_u, &v, row);
         }
+        Grid::new(u.len(), v.len(), points, self.closed())
+    }
+
+    fn blend_row(&self, along_u: &Values, table: &[Values], row: &mut [Point<3>]) {
+        let line: Vec<Point<3>> = (0..self.v.points()).map(|l| self.blended_column(along_u, l)).collect();
+        for (point, along_v) in row.iter_mut().zip(table) {
+            *point = summed(&along_v.values, line.iter().cycle().skip(along_v.first).copied());
+        }
+    }
+
+    /// The column of the net at `l`, blended along `u`.
+    fn blended_column(&self, along_u: &Values, l: usize) -> Point<3> {
+        let points = self.net.iter().cycle().skip(along_u.first).filter_map(|row| row.get(l));
+        summed(&along_u.values, points.copied())
     }
 }

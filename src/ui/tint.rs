@@ -1,0 +1,40 @@
+//! Colours that show how a surface bends.
+
+use crate::geometry::{Point, dot};
+use crate::screen::Color;
+
+/// Number of stripes from the middle of the surface to its silhouette.
+const STRIPES: f64 = 12.0;
+/// Colours of negative curvature from strong to weak, of none, and of positive curvature from weak to strong.
+const SADDLE: [Color; 4] = [Color::LightBlue, Color::Blue, Color::LightCyan, Color::Cyan];
+const DOME: [Color; 4] = [Color::Brown, Color::Yellow, Color::Red, Color::LightRed];
+/// Colours from below to above.
+const HEIGHTS: [Color; 6] =
+    [Color::Blue, Color::Cyan, Color::Green, Color::Yellow, Color::LightRed, Color::White];
+/// The colour of what does not bend, and of what is not known.
+pub(crate) const FLAT: Color = Color::DarkGray;
+
+/// Isophotes: bands of equal angle between the normal and the direction to the viewer.
+pub(crate) fn zebra(normal: Option<Point<3>>, toward: Point<3>) -> Color {
+    let Some(normal) = normal else { return FLAT };
+    let angle = dot(normal, toward).abs().min(1.0).acos();
+    if (angle * STRIPES) as i64 % 2 == 0 { Color::White } else { Color::Blue }
+}
+
+/// Blue where the surface is a saddle, red where it is a dome, grey where it is flat. `relative` is the Gaussian curvature
+/// times the square of the surface's size: that of a sphere is 4. The mean curvature times the size does as well.
+pub(crate) fn curvature(relative: Option<f64>) -> Color {
+    let Some(relative) = relative else { return FLAT };
+    let strength = [0.5, 4.0, 32.0, 256.0].iter().filter(|&&limit| relative.abs() > limit).count();
+    match strength {
+        0 => FLAT,
+        strength if relative > 0.0 => DOME[strength.min(4) - 1],
+        strength => SADDLE[4 - strength.min(4)],
+    }
+}
+
+/// Bands of height; `part` is 0 at the lowest and 1 at the highest point.
+pub(crate) fn height(part: f64) -> Color {
+    // A cast saturates, and NaN is 0.
+    HEIGHTS[((part * HEIGHTS.len() as f64) as usize).min(HEIGHTS.len() - 1)]
+}
