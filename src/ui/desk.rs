@@ -134,8 +134,10 @@ pub struct Desk<'m> {
 
 /// When a desk wakes a program without an event.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Wake {
+pub(super) enum Wake {
     Never,
+    /// Not without an event, but also by a key of the desk that changed a preference.
+    Preference,
     Frame,
     At(Duration),
 }
@@ -187,7 +189,7 @@ impl<'m> Desk<'m> {
         self.machine.now().saturating_sub(self.away)
     }
 
-    async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Asked<Tick> {
+    pub(super) async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Asked<Tick> {
         loop {
             self.draw(picture);
             if self.machine.film_is_full() {
@@ -201,19 +203,22 @@ impl<'m> Desk<'m> {
                 (Wake::Frame, _) => self.machine.frame().await?,
                 (Wake::At(moment), None) => self.machine.event_before(moment).await?,
                 (Wake::At(moment), Some(own)) => self.machine.event_before(moment.min(own)).await?,
-                (Wake::Never, Some(own)) => self.machine.event_before(own).await?,
-                (Wake::Never, None) => self.machine.event().await?,
+                (Wake::Never | Wake::Preference, Some(own)) => self.machine.event_before(own).await?,
+                (Wake::Never | Wake::Preference, None) => self.machine.event().await?,
             };
             let due = match wake {
-                Wake::Never => false,
+                Wake::Never | Wake::Preference => false,
                 Wake::Frame => true,
                 Wake::At(moment) => moment <= tick.now,
             };
             self.forget_notice(&tick);
             match tick.key() {
                 Some(Key::F(1)) => self.help().await?,
-                Some(Key::F(2)) => self.change_language(),
-                Some(Key::CtrlF(11)) => self.prefer(|it| it.turn(Preference::Look, true)),
+                Some(key) if self.turns_preference(key) => {
+                    if wake == Wake::Preference {
+                        return Ok(tick);
+                    }
+                }
                 Some(Key::F(9)) if !self.aside => self.change_settings(picture).await?,
                 Some(Key::F(10)) if !self.aside => self.save_figure(picture).await?,
                 Some(Key::F(12)) => self.keep_picture(),
@@ -224,10 +229,18 @@ impl<'m> Desk<'m> {
         }
     }
 
-    /// The key F2: the other language, now and at the next start.
-    fn change_language(&mut self) {
-        let kept = self.machine.prefer_other_language();
-        self.tell_if_not_kept(kept);
+    /// The keys that change a preference, now and at the next start: F2 the language, Ctrl+F11 the look of the window.
+    /// Whether the key was one of them.
+    fn turns_preference(&mut self, key: Key) -> bool {
+        match key {
+            Key::F(2) => {
+                let kept = self.machine.prefer_other_language();
+                self.tell_if_not_kept(kept);
+            }
+            Key::CtrlF(11) => self.prefer(|it| it.turn(Preference::Look, true)),
+            _ => return false,
+        }
+        true
     }
 
     /// Changes what the user has chosen for all programs.
@@ -340,8 +353,7 @@ impl<'m> Desk<'m> {
             self.film_screen();
             let tick = self.machine.event().await?;
             match tick.key() {
-                Some(Key::F(2)) => self.change_language(),
-                Some(Key::CtrlF(11)) => self.prefer(|it| it.turn(Preference::Look, true)),
+                Some(key) if self.turns_preference(key) => {}
                 Some(Key::CtrlF(12)) => {
                     self.switch_film();
                     return Ok(());
