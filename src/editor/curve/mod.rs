@@ -358,6 +358,10 @@ where
         editor.new_point(at)
     }
 
+    fn value_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Action> {
+        editor.value_shown_at(at)
+    }
+
     async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
         editor.carry_out(desk, action).await
     }

@@ -231,6 +231,10 @@ impl Craft<3> for Nets {
         editor.map().hit(at).map(Action::ChangeAt)
     }
 
+    fn value_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {
+        editor.value_shown_at(at)
+    }
+
     async fn obey(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
         editor.carry_out(desk, action).await
     }
