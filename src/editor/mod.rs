@@ -21,7 +21,7 @@ use crate::file::{Document, Format, Method};
 use crate::geometry::{ParamSurface, Point};
 use crate::machine::{Asked, Asking, Button, Event, Key, Manner, Tick};
 use crate::ui::words::Phrase;
-use crate::ui::{Commands, Desk, DoubleClick, Manual, Start, Stay};
+use crate::ui::{Commands, Desk, DoubleClick, Hint, Manual, Start, Stay};
 use crate::work::{self, History, Next, Work, common_key, event};
 use field::PICTURE;
 use lens::{Held, Lens};
@@ -73,7 +73,7 @@ trait Craft<const D: usize>: Sized + 'static {
         None
     }
     /// What can be done now.
-    fn hint(editor: &Editor<Self, D>) -> Option<Phrase>;
+    fn hint(editor: &Editor<Self, D>) -> Option<Hint>;
     /// The model as `dump` writes it.
     fn model(editor: &Editor<Self, D>) -> impl Serialize + 'static;
 

@@ -1,6 +1,6 @@
 //! The desk a program works at: the machine, the keys common to all programs, and the help page.
 
-use super::ask::TOP;
+use super::hint::Hint;
 use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
@@ -29,34 +29,6 @@ pub trait Picture {
     /// What can be done now, which is shown where nothing is asked, in the manner of today.
     fn hint(&self) -> Option<Hint> {
         None
-    }
-}
-
-/// What can be done now, in at most [`HINT_LINES`] lines.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Hint {
-    /// The upper left corner of the text.
-    pub at: (i32, i32),
-    /// Letters in a line.
-    pub letters: usize,
-    /// The text, with its keys.
-    pub text: Phrase,
-}
-
-/// Lines of a hint.
-pub const HINT_LINES: usize = 3;
-
-impl Hint {
-    /// A hint on the communication page at the top.
-    pub fn new(text: impl Into<Phrase>) -> Hint {
-        Hint { at: (TOP.0 + 8, TOP.1 + 7), letters: 28, text: text.into() }
-    }
-
-    fn draw(&self, screen: &mut Screen, language: Language) {
-        let (x, y) = self.at;
-        for (row, line) in (0..).zip(wrap(self.text.of(language), self.letters).iter().take(HINT_LINES)) {
-            screen.text(x, y + 11 * row, line, Color::Black);
-        }
     }
 }
 
@@ -292,7 +264,8 @@ impl<'m> Desk<'m> {
         let language = self.machine.language();
         picture.draw(self.machine.screen(), language);
         if let (Manner::Today, Some(hint)) = (self.machine.manner(), picture.hint()) {
-            hint.draw(self.machine.screen(), language);
+            let pointing = self.machine.pointing();
+            hint.draw(self.machine.screen(), language, pointing);
         }
         let (filmed, other) = match self.notice.take() {
             Some(notice) if notice.filmed => (Some(notice), None),

@@ -13,8 +13,8 @@ use crate::file::{FIELD, MAX_POINTS, Method};
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
 use crate::screen::Color;
-use crate::ui::words::{self, Phrase, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
+use crate::ui::words::{self, Words};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Hint, Number, Question, Stay, TOP};
 use serde::Serialize;
 
 /// How far from the curve a click is on it, in pixels.
@@ -80,26 +80,31 @@ where
     }
 
     /// What can be done now.
-    pub(super) fn hint(&self) -> Option<Phrase> {
+    pub(super) fn hint(&self) -> Option<Hint> {
         if self.craft.note.is_some() || !self.craft.compared.is_empty() {
             return None;
         }
         let plane = Curves::<D>::STORE.is_some();
-        Some(
-            match (self.held.map(|held| held.handle), self.count()) {
-                (Some(Handle::Tip(_)), _) => words::HINT_TIP,
-                (Some(_), _) if plane => words::HINT_HELD,
-                (Some(_), _) => words::HINT_HELD_3D,
-                (None, 0) if plane => words::HINT_FIRST,
-                (None, ..FEWEST) if plane => words::HINT_MORE,
-                (None, ..FEWEST) => words::HINT_MORE_3D,
-                (None, _) if !self.shown.visible => words::HINT_CURVE,
-                (None, _) if self.craft.tools == Tools::Tangents => words::HINT_TANGENTS,
-                (None, _) if plane => words::HINT_EDIT,
-                (None, _) => words::HINT_EDIT_3D,
+        let methods = self.craft.tools == Tools::Methods;
+        let (mouse, keys) = match (self.held.map(|held| held.handle), self.count()) {
+            (Some(Handle::Tip(_)), _) => (words::HINT_TIP, words::KEYS_HELD),
+            (Some(_), _) if plane => (words::HINT_HELD, words::KEYS_HELD),
+            (Some(_), _) => (words::HINT_HELD_3D, words::KEYS_HELD),
+            (None, 0) if plane => (words::HINT_FIRST, words::KEYS_FIRST),
+            (None, ..FEWEST) if plane => (words::HINT_MORE, words::KEYS_MORE),
+            (None, ..FEWEST) => (words::HINT_MORE_3D, words::HINT_MORE_3D),
+            (None, _) if !self.shown.visible => (words::HINT_CURVE, words::HINT_CURVE),
+            (None, _) if self.craft.tools == Tools::Tangents => {
+                (words::HINT_TANGENTS, words::KEYS_EDIT_CURVE)
             }
-            .into(),
-        )
+            (None, _) => match (methods, plane) {
+                (true, true) => (words::HINT_EDIT, words::KEYS_EDIT),
+                (false, true) => (words::HINT_EDIT_BETA, words::KEYS_EDIT_CURVE),
+                (true, false) => (words::HINT_EDIT_3D, words::KEYS_EDIT_3D),
+                (false, false) => (words::HINT_EDIT_BETA_3D, words::KEYS_EDIT_CURVE_3D),
+            },
+        };
+        Some(Hint::new(mouse).by_keys(keys))
     }
 
     /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
