@@ -12,7 +12,7 @@ use crate::editor::{Craft, Editor};
 use crate::file::{FIELD, MAX_POINTS, Method};
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
-use crate::screen::Color;
+use crate::screen::{Color, Stroke};
 use crate::ui::words::{self, Words};
 use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Hint, Number, Question, Stay, TOP};
 use serde::Serialize;
@@ -126,22 +126,27 @@ where
         let (mut items, sketch, result) = (Vec::new(), self.drawn(), self.stage.is_result());
         let mut open = self.preview();
         open.settings.closed = open.settings.closed.filter(|_| !self.craft.measured);
+        let live = Curves::<D>::LIVE && self.held.is_some() && self.shown.known;
+        let shown = (self.shown.visible || live || result) && !self.craft.measured;
+        let present = sketch.method().filter(|_| shown).zip(sketch.curve().ok());
+        let method = present.as_ref().map(|(method, _)| *method);
         let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
         for (index, (kind, name, color)) in compared.enumerate() {
             // A curve that does not exist is skipped; the user was told when choosing it. Each name is at another
             // fraction of its curve, so that the names stand apart.
             if let Ok(curve) = open.by(kind.method()).curve() {
                 let name = Some(Label { name, part: [2 * index + 1, 2 * Kind::ALL.len()] });
-                items.push(Item::Curve { curve, steps: steps(kind.method()), color, name });
+                // The present curve shows on both sides of its like.
+                let alike = method == Some(kind.method());
+                let stroke = if alike { Stroke::thin(color) } else { Stroke::thick(color) };
+                items.push(Item::Curve { curve, steps: steps(kind.method()), stroke, name });
             }
         }
-        let live = Curves::<D>::LIVE && self.held.is_some() && self.shown.known;
-        let shown = (self.shown.visible || live || result) && !self.craft.measured;
-        let Some((method, curve)) = sketch.method().filter(|_| shown).zip(sketch.curve().ok()) else {
-            return items;
-        };
+        let Some((method, curve)) = present else { return items };
         let joints = if method == Method::Beta { curve.joints() } else { Vec::new() };
-        items.push(Item::Curve { curve, steps: steps(method), color: Color::White, name: None });
+        let white =
+            Item::Curve { curve, steps: steps(method), stroke: Stroke::thick(Color::White), name: None };
+        items.insert(0, white);
         items.extend(joints.into_iter().map(Item::Joint));
         items
     }
