@@ -2,8 +2,8 @@
 //! of mask bits, then a face whose eyes are shut by the mouse buttons.
 
 use super::groups;
-use crate::cursor::{self, Action, LEAVE, MOVE};
-use crate::machine::{Asked, Button, Key, Language, Machine, Mouse, Pointer};
+use crate::cursor::{self, Action, Ground, LEAVE, MOVE};
+use crate::machine::{Asked, Button, Key, Machine, Mouse, Pointer};
 use crate::screen::{HEIGHT, Masks, Screen, WIDTH};
 use crate::ui::{
     Area, Command, CommandLine, Commands, Demo, Desk, KeyHelp, Lesson, Manual, Program, Words, line,
@@ -116,6 +116,28 @@ impl Part {
         }
     }
 
+    /// What can be done, by mouse and by keys.
+    fn hint(self) -> [Words; 2] {
+        match self {
+            Part::Quarters => {
+                [Words(
+                    "Vigye az egérrel vagy a nyilakkal. Enter tovább, F1 súgó, Esc vége",
+                    "Move it by mouse or arrows. Enter goes on, F1 help, Esc end",
+                ); 2]
+            }
+            Part::Face => [
+                Words(
+                    "Nyomja meg az egérgombokat: kacsint. F1 súgó, más billentyű: vége",
+                    "Press the mouse buttons: it winks. F1 help, other keys end",
+                ),
+                Words(
+                    "Ctrl+szóköz, Alt+R: kacsint. F1 súgó, más billentyű: vége",
+                    "Ctrl+Space, Alt+R: it winks. F1 help, other keys end",
+                ),
+            ],
+        }
+    }
+
     fn masks(self, mouse: Mouse) -> &'static Masks {
         let [open, left, right, both] = &FACES;
         match (self, mouse.holds(Button::Left), mouse.holds(Button::Right)) {
@@ -164,7 +186,8 @@ async fn both_parts(desk: &mut Desk<'_>) -> Asked<()> {
             let [left_shut, right_shut] =
                 [Button::Left, Button::Right].map(|button| part == Part::Face && mouse.holds(button));
             desk.machine.publish(Model { part, x: mouse.x, y: mouse.y, left_shut, right_shut });
-            let tick = desk.event(&|shown: &mut Screen, _: Language| shown.clone_from(&background)).await?;
+            let ground = Ground { screen: &background, cursor: (mouse.x, mouse.y), hint: part.hint() };
+            let tick = desk.event(&ground).await?;
             let action = COMMANDS.find(&tick);
             if action == Some(Action::End) {
                 return Ok(());

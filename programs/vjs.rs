@@ -164,7 +164,8 @@ async fn run(machine: &mut Machine) -> Asked<()> {
             handle: joystick.handle,
             held: joystick.held,
         });
-        panel.show(joystick.motion.place(part), joystick.handle, joystick.motion.readings());
+        let stick = (joystick.handle, joystick.held);
+        panel.show(joystick.motion.place(part), stick, joystick.motion.readings());
         let tick = desk.frame(&panel).await?;
         joystick.run_to(desk.clock());
         joystick.follow(&tick);

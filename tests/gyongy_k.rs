@@ -252,6 +252,11 @@ fn golden_pictures_of_today() {
         ("gyongy_k_today_drawer", "key Esc\nmove 400 260\npress left\nmove 386 260".to_string()),
         ("gyongy_k_today_solution", "key Enter\nkey O\nwait 9000".to_string()),
         ("gyongy_k_today_help", "key Enter\nkey F1".to_string()),
+        // The last of the palettes is for the colour-blind: the beads have signs.
+        (
+            "gyongy_k_today_signs",
+            format!("key Enter\nkey F9\n{}key Left\nkey Esc\nmove 20 20", "key Down\n".repeat(5)),
+        ),
     ];
     for (name, script) in cases {
         pictures::assert_golden(name, &today(&script).pictures["end.png"]);
@@ -278,6 +283,10 @@ fn a_wheel_of_four_moves_is_played_to_its_end() {
     // The celebration comes to its end, and nothing moves any more.
     let at = |wait: u32| today(&format!("{script}wait {wait}")).pictures["end.png"].pixels().to_vec();
     assert!(at(500) != at(800) && at(3000) == at(60_000));
+    pictures::assert_golden(
+        "gyongy_k_today_sparks",
+        &today(&format!("{script}wait 900")).pictures["end.png"],
+    );
     // A hint is told, and a solution of the machine counts as none.
     let hinted = today_model("key Enter\nkey H\nwait 5000\nkey I");
     assert_eq!(hinted["game"]["help"], "hints");

@@ -91,6 +91,13 @@ fn the_settings_lie_over_the_picture_and_go_again() {
     assert!(english != before);
 }
 
+#[test]
+fn a_key_that_changes_a_preference_shows_in_its_row_at_once() {
+    let script = "key U\nkey F9\nkey F2\nkey Ctrl+F11\nshot\nkey Esc\nkey F9\nshot";
+    let shots = shots("settings_keys", &["gb_2d_ip"], script);
+    assert!(shots[0] == shots[1]);
+}
+
 /// Runs `grafika config` with settings in a folder.
 fn config(folder: &Path, arguments: &[&str]) -> (bool, String, String) {
     let Output { status, stdout, stderr } = Command::new(env!("CARGO_BIN_EXE_grafika"))

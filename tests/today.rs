@@ -4,7 +4,7 @@ mod common;
 
 use common::{Kept, SharedDisk, pictures, session};
 use grafika::machine::{Memory, Script, Settings, Storage, play, sample};
-use grafika::programs::{gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip, zm_hspl};
+use grafika::programs::{gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip, gb_p_2d, zm_hspl};
 use grafika::ui::Program;
 use serde_json::Value;
 
@@ -117,6 +117,28 @@ fn a_left_drag_beside_the_points_turns() {
         assert_ne!(before["azimuth"], after["azimuth"], "{}", program.manual.name);
         assert_eq!(points(&before), points(&after));
     }
+}
+
+#[test]
+fn a_double_click_on_a_value_changes_it() {
+    let open = "key T\nkey Enter\n";
+    let typed = |x, y| format!("{open}click {x} {y}\nclick {x} {y}\ntype 0.7\nkey Enter\n");
+    assert_eq!(model(gb_2d_bt::PROGRAM, &typed(60, 8))["bias"], 0.7);
+    assert_eq!(model(gb_2d_bt::PROGRAM, &typed(60, 43))["tension"], 0.7);
+    // The direction is that of the value.
+    assert_eq!(model(zm_hspl::PROGRAM, &typed(360, 473))["k0"][1], 0.7);
+    // Coons curves show their coefficient until the next change.
+    let coons = "key G\nkey Z\nkey 1\ntype 0.5\nkey Enter\nclick 290 26\nclick 290 26\ntype 0.7\nkey Enter\n";
+    assert_eq!(model(IP, &format!("{THREE}{coons}"))["k0"], 0.7);
+    // A click alone, and two slow ones, do nothing.
+    let slow = format!("{open}click 60 8\nwait 600\nclick 60 8\ntype 0.7\nkey Enter\n");
+    assert_eq!(model(gb_2d_bt::PROGRAM, &slow)["bias"], 1.0);
+}
+
+#[test]
+fn the_first_key_chooses_a_coefficient_and_the_next_one_changes_it() {
+    let a1 = |keys: &str| model(gb_p_2d::PROGRAM, &format!("key U\n{keys}"))["a"][1].clone();
+    assert_eq!((a1("key Up\n"), a1("key Up\nkey Up\n")), (Value::from(100.0), Value::from(101.0)));
 }
 
 #[test]

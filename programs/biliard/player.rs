@@ -117,16 +117,16 @@ impl Picture for Player {
 
     fn hint(&self) -> Option<Hint> {
         let won = self.games.now().points.is_some_and(|points| points.winner().is_some());
-        let text = match &self.rolling {
-            Some(rolling) if rolling.pace == Pace::Slow => texts::HINT_REPLAY,
-            Some(_) => texts::HINT_ROLL,
-            None if self.grip.is_some() => texts::HINT_AIM,
-            None if won => texts::HINT_WON,
-            None => texts::HINT_SHOOT,
+        let (mouse, keys) = match &self.rolling {
+            Some(rolling) if rolling.pace == Pace::Slow => (texts::HINT_REPLAY, texts::HINT_REPLAY),
+            Some(_) => (texts::HINT_ROLL, texts::HINT_ROLL),
+            None if self.grip.is_some() => (texts::HINT_AIM, texts::KEYS_AIM),
+            None if won => (texts::HINT_WON, texts::HINT_WON),
+            None => (texts::HINT_SHOOT, texts::KEYS_SHOOT),
         };
         // Beside the speed, while there is one.
         let letters = if self.grip.is_some() { 40 } else { 70 };
-        Some(Hint { at: (40, 455), letters, text: text.into() })
+        Some(Hint::at((40, 455), letters, mouse).by_keys(keys))
     }
 }
 

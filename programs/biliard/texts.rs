@@ -38,6 +38,12 @@ pub(crate) const HINT_SHOOT: Words = Words(
     "To shoot, drag a ball's ghost to where the ball is to roll, and let go. The farther, the faster. F1: help",
 );
 pub(crate) const HINT_AIM: Words = Words("Engedje el: lökés. Esc: mégsem", "Let go to shoot. Esc: no shot");
+pub(crate) const KEYS_SHOOT: Words = Words(
+    "Lökés: Ctrl+nyíllal egy golyó képére, Ctrl+szóköz, tovább arra, amerre guruljon, Ctrl+szóköz. F1: súgó",
+    "To shoot, Ctrl+arrows to a ball's ghost, Ctrl+Space, on to where it is to roll, Ctrl+Space. F1: help",
+);
+pub(crate) const KEYS_AIM: Words =
+    Words("Ctrl+szóköz: lökés. Esc: mégsem", "Ctrl+Space shoots. Esc: no shot");
 pub(crate) const HINT_ROLL: Words = Words(
     "Enter vagy kattintás: ugrás a mozgás végére",
     "Enter or a click: skip to where the balls come to rest",

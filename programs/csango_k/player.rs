@@ -208,19 +208,19 @@ impl Picture for Player {
             return None;
         }
         let play = self.plays.now();
-        let text = if let Some(step) = self.hinted_move() {
-            texts::do_this(step)
+        let at = |text: Phrase| Hint::at((30, 114), 44, text);
+        let hint = if let Some(step) = self.hinted_move() {
+            at(texts::do_this(step))
         } else if let Some(why) = self.refused {
-            texts::refused(why)
+            at(texts::refused(why))
         } else {
             match (play.cube.is_finished(), play.moves) {
-                (true, _) => texts::AGAIN,
-                (false, 0) => texts::BEGIN,
-                (false, _) => texts::GO_ON,
+                (true, _) => at(texts::AGAIN.into()),
+                (false, 0) => at(texts::BEGIN.into()).by_keys(texts::BEGIN_BY_KEYS),
+                (false, _) => at(texts::GO_ON.into()),
             }
-            .into()
         };
-        Some(Hint { at: (30, 114), letters: 44, text })
+        Some(hint)
     }
 }
 

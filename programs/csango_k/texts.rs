@@ -50,6 +50,10 @@ pub(crate) const BEGIN: Words = Words(
     "Húzzon egy elemet a piros helyre; a görgő emeli, R S T fordítja. H: segítség",
     "Drag a piece to the red place; the wheel lifts it, R S T turn it. H: a hint",
 );
+pub(crate) const BEGIN_BY_KEYS: Words = Words(
+    "A és B választ elemet, X Y Z tolja, R S T forgatja. H: segítség",
+    "A and B choose a piece, X Y Z move it, R S T turn it. H: a hint",
+);
 pub(crate) const GO_ON: Words = Words(
     "H: segítség, F6: elölről, F1: a szabályok, nyilak: nézőpont",
     "H: a hint, F6: restart, F1: the rules, arrows: point of view",

@@ -184,7 +184,7 @@ impl Picture for Player {
             }
             .into()
         };
-        Some(Hint { at: (404, 134), letters: 27, text })
+        Some(Hint::at((404, 134), 27, text))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::motion::Readings;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::{Area, Picture, Words, window};
+use crate::ui::{Area, Hint, Picture, Words, window};
 
 /// The track, inside of its frame.
 const TRACK_AREA: Area = Area::new(50, 20, 470, 440);
@@ -18,6 +18,18 @@ pub(crate) const HANDLE_RADIUS: i32 = 10;
 /// Length of the ticks of the axes, in pixels.
 const TICK: i32 = 10;
 
+const HINT: Words = Words(
+    "Húzza a piros fogantyút. Szóköz: elölről, F1 súgó, Esc vége",
+    "Drag the red stick. Space: start again, F1 help, Esc end",
+);
+const KEYS: Words = Words(
+    "Nyilak: a fogantyú. Szóköz: elölről, F1 súgó, Esc vége",
+    "Arrows tilt the stick. Space: start again, F1 help, Esc end",
+);
+const HINT_HELD: Words = Words(
+    "Elengedve visszaugrik, a pont továbbgurul. Esc: elengedi",
+    "Let go: it springs back, and the point rolls on. Esc: let go",
+);
 const TIME: Words = Words("Idő:", "Time:");
 const SECONDS: Words = Words("s", "s");
 /// The three pairs of displays: heading, the letters over the windows, their unit, and how far below the
@@ -34,18 +46,19 @@ pub(crate) struct Panel {
     point: [f64; 2],
     handle: (i32, i32),
     readings: Readings,
+    held: bool,
 }
 
 impl Panel {
     /// The picture at the start.
     pub(crate) fn new() -> Panel {
         let grounds = [Language::Hungarian, Language::English].map(|language| (language, ground(language)));
-        Panel { grounds, point: [0.0; 2], handle: (0, 0), readings: Readings::default() }
+        Panel { grounds, point: [0.0; 2], handle: (0, 0), readings: Readings::default(), held: false }
     }
 
-    /// Sets what is shown: the point's place, the handle's offset and the numbers.
-    pub(crate) fn show(&mut self, point: [f64; 2], handle: (i32, i32), readings: Readings) {
-        (self.point, self.handle, self.readings) = (point, handle, readings);
+    /// Sets what is shown: the point's place, the handle's offset, whether the mouse holds it, and the numbers.
+    pub(crate) fn show(&mut self, point: [f64; 2], (handle, held): ((i32, i32), bool), readings: Readings) {
+        (self.point, self.handle, self.held, self.readings) = (point, handle, held, readings);
     }
 }
 
@@ -70,6 +83,12 @@ impl Picture for Panel {
                 );
             }
         }
+    }
+
+    /// Under the track.
+    fn hint(&self) -> Option<Hint> {
+        let [mouse, keys] = if self.held { [HINT_HELD; 2] } else { [HINT, KEYS] };
+        Some(Hint::at((5, 469), 60, mouse).by_keys(keys))
     }
 }
 

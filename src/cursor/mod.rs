@@ -7,7 +7,7 @@
 
 use crate::machine::{Asked, Key, Language, Machine, Mouse, Pointer};
 use crate::screen::{Bitmap, Color, HEIGHT, Masks, Put, Screen, WIDTH};
-use crate::ui::{Area, Command, Commands, Desk, END, KeyHelp, Manual, Words};
+use crate::ui::{Area, Command, Commands, Desk, END, Hint, KeyHelp, Manual, Picture, Words, words};
 use serde::Serialize;
 
 /// Where the mouse may go in the programs with a cursor of their own; the edges belong to it.
@@ -135,6 +135,30 @@ fn bounded(value: i32, low: i32, high: i32) -> i32 {
     value.min(high).max(low)
 }
 
+/// A screen with its cursor, and what can be done there.
+#[derive(Debug)]
+pub struct Ground<'s> {
+    /// What is shown.
+    pub screen: &'s Screen,
+    /// Where the cursor is.
+    pub cursor: (i32, i32),
+    /// What can be done, by mouse and by keys.
+    pub hint: [Words; 2],
+}
+
+impl Picture for Ground<'_> {
+    fn draw(&self, screen: &mut Screen, _: Language) {
+        screen.clone_from(self.screen);
+    }
+
+    /// At the bottom; where the cursor is low, at the top.
+    fn hint(&self) -> Option<Hint> {
+        let y = if self.cursor.1 < HEIGHT * 3 / 4 { HEIGHT - 48 } else { 6 };
+        let [mouse, keys] = self.hint;
+        Some(Hint::framed((WIDTH / 2 - 120, y), mouse).by_keys(keys))
+    }
+}
+
 /// Where the cursor is, for `dump`.
 #[derive(Serialize)]
 struct Model {
@@ -159,7 +183,7 @@ async fn follow(desk: &mut Desk<'_>, mut screen: Screen, mut cursor: Cursor) -> 
         desk.machine.put_mouse(at.0, at.1);
         desk.machine.publish(Model { x: at.0, y: at.1 });
         cursor.show(&mut screen, at);
-        let tick = desk.event(&|shown: &mut Screen, _: Language| shown.clone_from(&screen)).await?;
+        let tick = desk.event(&Ground { screen: &screen, cursor: at, hint: [words::HINT_CURSOR; 2] }).await?;
         match COMMANDS.find(&tick) {
             Some(Action::End) => return Ok(()),
             action => at = place(tick.mouse, action, RANGE),

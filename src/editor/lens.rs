@@ -175,7 +175,7 @@ impl Lens<3> for Viewer {
     }
 
     fn draw_legend(&self, screen: &mut Screen, language: Language) {
-        draw_legend(screen, language);
+        draw_legend(screen, words::LEAVE, language);
     }
 }
 

@@ -21,7 +21,7 @@ use crate::file::{Document, Format, Method};
 use crate::geometry::{ParamSurface, Point};
 use crate::machine::{Asked, Asking, Button, Event, Key, Manner, Tick};
 use crate::ui::words::Phrase;
-use crate::ui::{Commands, Desk, Manual, Start, Stay};
+use crate::ui::{Commands, Desk, DoubleClick, Hint, Manual, Start, Stay};
 use crate::work::{self, History, Next, Work, common_key, event};
 use field::PICTURE;
 use lens::{Held, Lens};
@@ -73,7 +73,7 @@ trait Craft<const D: usize>: Sized + 'static {
         None
     }
     /// What can be done now.
-    fn hint(editor: &Editor<Self, D>) -> Option<Phrase>;
+    fn hint(editor: &Editor<Self, D>) -> Option<Hint>;
     /// The model as `dump` writes it.
     fn model(editor: &Editor<Self, D>) -> impl Serialize + 'static;
 
@@ -102,6 +102,10 @@ trait Craft<const D: usize>: Sized + 'static {
     }
     /// What a click means that is on no button and no handle.
     fn clicked(_: &Editor<Self, D>, _: (i32, i32)) -> Option<Self::Action> {
+        None
+    }
+    /// What a double click means on a value that is shown, in the manner of today.
+    fn value_at(_: &Editor<Self, D>, _: (i32, i32)) -> Option<Self::Action> {
         None
     }
     /// Carries out a command.
@@ -146,6 +150,7 @@ struct Editor<C: Craft<D>, const D: usize> {
     /// The remark about a file that was read.
     remark: Option<Phrase>,
     manner: Manner,
+    clicks: DoubleClick,
 }
 
 /// Prepares an editor, with or without a document to open.
@@ -247,6 +252,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
             stage: Stage::FIRST,
             remark: None,
             manner: Manner::default(),
+            clicks: DoubleClick::default(),
         }
     }
 
@@ -274,6 +280,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
 
     /// The command of a key or click; a click on a handle starts to hold it.
     fn command(&mut self, tick: &Tick) -> Option<C::Action> {
+        let twice = self.clicks.of(tick).filter(|_| self.manner == Manner::Today);
         let given = self.craft.commands().find(tick);
         let Some(at) = tick.click().filter(|_| given.is_none()) else { return given };
         if let Some(handle) = C::handle_at(self, at) {
@@ -281,7 +288,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
             self.held = Some(Held { handle, pressed: at, from, at: from });
             return None;
         }
-        let clicked = C::clicked(self, at);
+        let clicked = C::clicked(self, at).or_else(|| C::value_at(self, twice?));
         if clicked.is_none() && self.manner == Manner::Today && PICTURE.holds(at.0, at.1) {
             self.held = C::taken_up(self, at);
             if self.held.is_none() {

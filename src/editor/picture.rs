@@ -54,7 +54,7 @@ impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {
     }
 
     fn hint(&self) -> Option<Hint> {
-        if self.stage == Stage::Working { C::hint(self).map(Hint::new) } else { None }
+        if self.stage == Stage::Working { C::hint(self) } else { None }
     }
 }
 

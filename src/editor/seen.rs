@@ -9,8 +9,8 @@ use crate::screen::{Color, Screen, Stroke};
 
 /// A visible item.
 pub(super) enum Item<const D: usize> {
-    /// A curve with its segments per span, its colour, and its name in a figure.
-    Curve { curve: Box<dyn ParamCurve<D>>, steps: usize, color: Color, name: Option<Label> },
+    /// A curve with its segments per span, its stroke, and its name in a figure.
+    Curve { curve: Box<dyn ParamCurve<D>>, steps: usize, stroke: Stroke, name: Option<Label> },
     /// Where spans join.
     Joint(Point<D>),
     /// A tangent, drawn from its tip to the tip's mirror image.
@@ -29,7 +29,7 @@ pub(super) enum Item<const D: usize> {
     Own(Box<dyn Own<D>>),
 }
 
-/// The name of a curve, and where along the curve it is written.
+/// The name of a curve, and where along the curve it would best be written.
 pub(super) struct Label {
     pub(super) name: &'static str,
     /// The fraction of the curve: numerator and denominator.
@@ -44,6 +44,8 @@ pub(super) trait Own<const D: usize> {
     fn bounds(&self) -> Option<BoundingBox<D>>;
 }
 
+/// Places along a curve that are tried for its name.
+const NAME_PLACES: usize = 24;
 /// Radius of the disc at the tip of a tangent, of a control point of a result, and of one of a net.
 pub(super) const TIP_RADIUS: i32 = 7;
 const DOT_RADIUS: i32 = 4;
@@ -52,13 +54,13 @@ impl<const D: usize> Item<D> {
     /// Paints it on the screen.
     pub(super) fn paint(&self, screen: &mut Screen, lens: &impl Lens<D>) {
         match self {
-            Item::Curve { curve, steps, color, .. } => {
+            Item::Curve { curve, steps, stroke, .. } => {
                 // More segments than any screen can show: nothing is painted.
                 let Ok(line) = curve.polyline(*steps) else { return };
                 // Short segments often end on the same pixel, which is painted once.
                 let mut pixels: Vec<(i32, i32)> = line.into_iter().map(|point| lens.pixel(point)).collect();
                 pixels.dedup();
-                screen.polyline(&pixels, Stroke::thick(*color));
+                screen.polyline(&pixels, *stroke);
             }
             Item::Joint(at) => {
                 let (x, y) = lens.pixel(*at);
@@ -93,13 +95,16 @@ impl<const D: usize> Item<D> {
     /// Plots it into a figure; returns `false` if a figure cannot show it.
     fn plot(&self, figure: &mut Figure, lens: &impl Lens<D>) -> bool {
         match self {
-            Item::Curve { curve, color, name, .. } => {
+            Item::Curve { curve, stroke, name, .. } => {
+                let ink = if stroke.color == Color::White { CURVE_INK } else { print_ink(stroke.color) };
                 if let Some(Label { name, part: [numerator, denominator] }) = name {
                     let arcs = curve.to_cubics(tolerance(curve.bounding_box())).unwrap_or_default();
-                    let arc = arcs.get(numerator * arcs.len() / denominator);
-                    arc.into_iter().for_each(|arc| figure.text(lens.flat(arc.eval(0.5)), *name));
+                    let step = (arcs.len() / NAME_PLACES).max(1);
+                    let from_part =
+                        arcs.iter().cycle().skip(numerator * arcs.len() / denominator).take(arcs.len());
+                    let places = from_part.step_by(step).map(|arc| lens.flat(arc.eval(0.5)));
+                    figure.name(places.collect(), *name, ink);
                 }
-                let ink = if *color == Color::White { CURVE_INK } else { print_ink(*color) };
                 lens.plot(figure, &**curve, ink);
             }
             Item::Joint(at) => figure.plot_joint(lens.flat(*at)),

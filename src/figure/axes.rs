@@ -177,14 +177,14 @@ impl PlaneAxes {
             rules.lines.push([[x, bottom], [x, bottom + TICK]]);
             let text = self.step.text(tick);
             let at = [x - length(&text, AXIS_SIZE) / 2.0, bottom + TICK + GAP + 0.75 * AXIS_SIZE];
-            rules.letters.push(Letters { text, at, size: AXIS_SIZE });
+            rules.letters.push(Letters::black(text, at, AXIS_SIZE));
         }
         for tick in self.ticks[1][0]..=self.ticks[1][1] {
             let [_, y] = place([window.min[0], self.step.value(tick)]);
             rules.lines.push([[left - TICK, y], [left, y]]);
             let text = self.step.text(tick);
             let at = [left - TICK - GAP - length(&text, AXIS_SIZE), y + 0.36 * AXIS_SIZE];
-            rules.letters.push(Letters { text, at, size: AXIS_SIZE });
+            rules.letters.push(Letters::black(text, at, AXIS_SIZE));
         }
         rules.letters.push(letter("x", [right + 16.0, bottom]));
         rules.letters.push(letter("y", [left, top - 16.0]));
@@ -195,7 +195,7 @@ impl PlaneAxes {
 /// The name of an axis, centred at a place.
 fn letter(name: &str, [x, y]: Point<2>) -> Letters {
     let size = AXIS_SIZE + 2.0;
-    Letters { text: name.to_string(), at: [x - length(name, size) / 2.0, y + 0.36 * size], size }
+    Letters::black(name.to_string(), [x - length(name, size) / 2.0, y + 0.36 * size], size)
 }
 
 /// The ticks of a window with a step; `None` if their numbers have too many digits.
@@ -290,11 +290,8 @@ impl SpaceAxes {
             }
             let out = TICK + GAP + half * across[0].abs() + up * across[1].abs();
             let middle = [x + out * across[0], y + out * across[1]];
-            rules.letters.push(Letters {
-                text,
-                at: [middle[0] - half, middle[1] + 0.36 * AXIS_SIZE],
-                size: AXIS_SIZE,
-            });
+            let at = [middle[0] - half, middle[1] + 0.36 * AXIS_SIZE];
+            rules.letters.push(Letters::black(text, at, AXIS_SIZE));
         }
     }
 }

@@ -24,6 +24,8 @@ const LEAST_HEIGHT: f64 = 160.0;
 const BAND_GAP: f64 = 12.0;
 /// Gap between a disc and its label.
 const GAP: f64 = 3.0;
+/// Gap between the middle of a line and its name.
+const NAME_GAP: f64 = 7.0;
 /// Labels times obstacles that are looked at; beyond it, labels stand at the upper right of their discs or
 /// nowhere.
 const MOST_LOOKS: usize = 4_000_000;
@@ -83,8 +85,8 @@ impl Layout {
         [self.origin[0] + self.scale * x, self.origin[1] - self.scale * y]
     }
 
-    /// The labels of discs, then the texts; they keep off the numbers of axes. Labels that would cover others are
-    /// left out: neither could be read.
+    /// The labels of discs, the names of lines and the texts; they keep off the numbers of axes. Labels that would cover
+    /// others are left out: neither could be read.
     fn labels(&self, figure: &Figure, numbers: &[Letters]) -> Vec<Letters> {
         let crowded = looks(figure) > MOST_LOOKS;
         let mut taken = Taken { legs: Vec::new(), areas: Vec::new(), height: self.height };
@@ -94,32 +96,36 @@ impl Layout {
             taken.areas = self.areas(figure);
             taken.areas.extend(numbers.iter().map(Letters::area));
         }
-        let choices = if crowded { 1 } else { DIRECTIONS.len() };
         let mut written = Written::default();
         numbers.iter().for_each(|number| written.add(number.area()));
         let mut letters = Vec::new();
         for item in &figure.items {
-            let text = match item {
+            let (places, text, ink, distance) = match item {
                 Item::Disc { at, label: Some(label), .. } => {
-                    let (around, text) = (self.place(*at), printable(label));
-                    let size = [length(&text, TEXT_SIZE), TEXT_SIZE * (ASCENT + DESCENT)];
-                    let areas = DIRECTIONS.map(|way| beside(around, overhang(item) + GAP, size, way));
-                    let area = taken.freest(areas.get(..choices).unwrap_or(&areas));
-                    if written.covers(area) {
-                        continue;
-                    }
-                    taken.areas.push(area);
-                    written.add(area);
-                    Letters { text, at: [area[0], area[1] + TEXT_SIZE * ASCENT], size: TEXT_SIZE }
+                    (std::slice::from_ref(at), label, [0; 3], overhang(item) + GAP)
                 }
+                Item::Name { places, text, ink } => (places.as_slice(), text, *ink, NAME_GAP),
                 Item::Text { at, text } => {
                     let ([x, y], text) = (self.place(*at), printable(text));
                     let rightmost = f64::from(NOMINAL_WIDTH) - 4.0 - length(&text, TEXT_SIZE);
-                    Letters { text, at: [x.min(rightmost).max(4.0), y], size: TEXT_SIZE }
+                    letters.push(Letters::black(text, [x.min(rightmost).max(4.0), y], TEXT_SIZE));
+                    continue;
                 }
                 _ => continue,
             };
-            letters.push(text);
+            let text = printable(text);
+            let size = [length(&text, TEXT_SIZE), TEXT_SIZE * (ASCENT + DESCENT)];
+            let around = places.iter().map(|at| self.place(*at));
+            let areas = around.flat_map(|at| DIRECTIONS.map(|way| beside(at, distance, size, way)));
+            let areas: Vec<Area> = if crowded { areas.take(1).collect() } else { areas.collect() };
+            let area = taken.freest(&areas);
+            if written.covers(area) {
+                continue;
+            }
+            taken.areas.push(area);
+            written.add(area);
+            let at = [area[0], area[1] + TEXT_SIZE * ASCENT];
+            letters.push(Letters { text, at, size: TEXT_SIZE, ink });
         }
         letters
     }
@@ -134,7 +140,7 @@ impl Layout {
                     let pairs = points.iter().zip(points.iter().skip(1));
                     legs.extend(pairs.map(|(&a, &b)| [self.place(a), self.place(b)]));
                 }
-                Item::Disc { .. } | Item::Text { .. } => {}
+                Item::Disc { .. } | Item::Name { .. } | Item::Text { .. } => {}
             }
         }
         legs
@@ -224,7 +230,7 @@ fn overhang(item: &Item) -> f64 {
     match item {
         Item::Curve { style, .. } | Item::Polyline { style, .. } => style.width / 2.0,
         Item::Disc { radius, style, .. } => radius + style.stroke.map_or(0.0, |_| style.width / 2.0),
-        Item::Text { .. } => 0.0,
+        Item::Name { .. } | Item::Text { .. } => 0.0,
     }
 }
 
@@ -233,6 +239,7 @@ fn window(figure: &Figure) -> BoundingBox<2> {
     let of_item = |item: &Item| match item {
         Item::Curve { arcs, .. } => arcs.iter().map(CubicBezier::bounding_box).reduce(BoundingBox::union),
         Item::Polyline { points, .. } => BoundingBox::of_points(points),
+        Item::Name { places, .. } => BoundingBox::of_points(places),
         Item::Disc { at, .. } | Item::Text { at, .. } => Some(BoundingBox::of_point(*at)),
     };
     let all = figure.items.iter().filter_map(of_item).reduce(BoundingBox::union);
@@ -251,7 +258,7 @@ fn heading(title: &str) -> Letters {
     let (text, width) = (printable(title), f64::from(NOMINAL_WIDTH));
     let size = TITLE_SIZE * (0.95 * width / length(&text, TITLE_SIZE).max(1.0)).min(1.0);
     let at = [(width - length(&text, size)) / 2.0, TITLE_BAND / 2.0 + 0.4 * size];
-    Letters { text, at, size }
+    Letters::black(text, at, size)
 }
 
 /// The caption in lines that fit; none for a blank one.
@@ -269,7 +276,7 @@ fn below(top: f64, lines: &[String]) -> impl Iterator<Item = Letters> {
     (0..).zip(lines).map(move |(row, text)| {
         let left = (f64::from(NOMINAL_WIDTH) - length(text, TEXT_SIZE)) / 2.0;
         let at = [left, top + CAPTION_LINE * f64::from(row) + TEXT_SIZE];
-        Letters { text: text.clone(), at, size: TEXT_SIZE }
+        Letters::black(text.clone(), at, TEXT_SIZE)
     })
 }
 
@@ -313,9 +320,13 @@ fn looks(figure: &Figure) -> usize {
             Item::Curve { arcs, .. } => arcs.len().saturating_mul(PIECES as usize),
             Item::Polyline { points, .. } => points.len(),
             Item::Disc { .. } => 1,
-            Item::Text { .. } => 0,
+            Item::Name { .. } | Item::Text { .. } => 0,
         };
-        labels += usize::from(matches!(item, Item::Disc { label: Some(_), .. }));
+        labels += match item {
+            Item::Disc { label, .. } => usize::from(label.is_some()),
+            Item::Name { places, .. } => places.len(),
+            _ => 0,
+        };
     }
     labels.saturating_mul(obstacles)
 }

@@ -19,9 +19,16 @@ pub(super) struct Letters {
     pub(super) at: Point<2>,
     /// Font size.
     pub(super) size: f64,
+    /// Colour: red, green, blue.
+    pub(super) ink: [u8; 3],
 }
 
 impl Letters {
+    /// A line of black text.
+    pub(super) fn black(text: String, at: Point<2>, size: f64) -> Letters {
+        Letters { text, at, size, ink: [0; 3] }
+    }
+
     /// The bounding box of the letters.
     pub(super) fn area(&self) -> Area {
         let [x, y] = self.at;

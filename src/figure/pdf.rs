@@ -91,7 +91,7 @@ impl Page {
             Item::Curve { arcs, closure, style } => (self.curve(arcs, *closure, layout), style),
             Item::Polyline { points, closure, style } => (self.polyline(points, *closure, layout), style),
             Item::Disc { at, radius, style, .. } => (self.circle(layout.place(*at), *radius), style),
-            Item::Text { .. } => return,
+            Item::Name { .. } | Item::Text { .. } => return,
         };
         if any {
             self.paint(style);
@@ -186,20 +186,21 @@ impl Page {
         };
     }
 
-    /// Black letters with a white halo, so that lines do not run through them.
+    /// Letters with a white halo, so that lines do not run through them.
     fn letters(&mut self, letters: &[Letters]) -> Result<(), FigureError> {
         if letters.is_empty() {
             return Ok(());
         }
         let face = Face::parse(FONT, 0).map_err(|error| FigureError::Encoding(error.to_string()))?;
-        self.content.set_fill_gray(0.0).set_stroke_gray(1.0).set_line_width(SEAM);
+        self.content.set_stroke_gray(1.0).set_line_width(SEAM);
         self.content.set_dash_pattern([], 0.0);
         for line in letters {
             // All halos come first: none may cover the letter before it.
             self.outlines(line, &face);
             self.content.stroke();
             self.outlines(line, &face);
-            self.content.fill_nonzero();
+            let [red, green, blue] = shares(line.ink);
+            self.content.set_fill_rgb(red, green, blue).fill_nonzero();
         }
         Ok(())
     }

@@ -78,6 +78,7 @@ pub(super) enum Item {
     Curve { arcs: Vec<CubicBezier<2>>, closure: Closure, style: Style },
     Polyline { points: Vec<Point<2>>, closure: Closure, style: Style },
     Disc { at: Point<2>, radius: f64, style: Style, label: Option<String> },
+    Name { places: Vec<Point<2>>, text: String, ink: [u8; 3] },
     Text { at: Point<2>, text: String },
 }
 
@@ -88,6 +89,7 @@ impl Item {
             Self::Curve { .. } => "curve",
             Self::Polyline { .. } => "polyline",
             Self::Disc { .. } => "disc",
+            Self::Name { .. } => "name",
             Self::Text { .. } => "text",
         }
     }
@@ -109,6 +111,7 @@ impl Item {
                 check_size(name, "radius", *radius)?;
                 check_points(&[*at], |_| name.to_string())
             }
+            Self::Name { places, .. } => check_points(places, |_| name.to_string()),
             Self::Text { at, .. } => check_points(&[*at], |_| name.to_string()),
         }
     }
@@ -193,6 +196,12 @@ impl Figure {
     /// beside it, where it covers least; where it would cover other letters, it is left out.
     pub fn disc(&mut self, at: Point<2>, radius: f64, style: Style, label: Option<String>) {
         self.items.push(Item::Disc { at, radius, style, label });
+    }
+
+    /// Adds the name of a line in a colour (red, green, blue). It stands beside one of these places on the line, where it
+    /// covers least; where it would cover other letters, it is left out.
+    pub fn name(&mut self, places: Vec<Point<2>>, text: impl Into<String>, ink: [u8; 3]) {
+        self.items.push(Item::Name { places, text: text.into(), ink });
     }
 
     /// Adds a line of text that begins at a point, or further left if it would leave the picture.

@@ -120,7 +120,7 @@ impl<'a> Band<'a> {
                     None => paint_disc(&mut self.pixmap, center, *radius, style, self.enlarged),
                 }
             }
-            Item::Text { .. } => {}
+            Item::Name { .. } | Item::Text { .. } => {}
         }
     }
 
@@ -179,7 +179,7 @@ impl<'a> Band<'a> {
         }
     }
 
-    /// Draws a line of black text with a white halo, so that lines do not run through it.
+    /// Draws a line of text with a white halo, so that lines do not run through it.
     fn write(&mut self, line: &Letters, font: &Font) {
         let [_, y] = line.at.map(|value| value * self.enlarged);
         // No letter rises or descends by twice the font size.
@@ -190,12 +190,12 @@ impl<'a> Band<'a> {
         }
         let glyphs = line_glyphs(font, line, self.enlarged);
         let seam = (SEAM * self.enlarged).round() as usize;
-        glyphs.iter().for_each(|glyph| self.put(&glyph.seam(seam), 255));
-        glyphs.iter().for_each(|glyph| self.put(glyph, 0));
+        glyphs.iter().for_each(|glyph| self.put(&glyph.seam(seam), [255; 3]));
+        glyphs.iter().for_each(|glyph| self.put(glyph, line.ink));
     }
 
-    /// Blends a glyph in a shade of grey into the band.
-    fn put(&mut self, glyph: &Glyph, shade: u8) {
+    /// Blends a glyph in a colour into the band.
+    fn put(&mut self, glyph: &Glyph, ink: [u8; 3]) {
         let (width, rows) = (self.pixmap.width() as usize, self.pixmap.height() as usize);
         let data = self.pixmap.data_mut();
         for (row, values) in glyph.coverage.chunks_exact(glyph.width.max(1)).enumerate() {
@@ -207,8 +207,8 @@ impl<'a> Band<'a> {
                     continue;
                 }
                 let at = (y * width + x) * 4;
-                for channel in data.iter_mut().skip(at).take(3) {
-                    *channel = mix(*channel, shade, coverage);
+                for (channel, ink) in data.iter_mut().skip(at).zip(ink) {
+                    *channel = mix(*channel, ink, coverage);
                 }
             }
         }

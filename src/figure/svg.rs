@@ -99,7 +99,7 @@ fn write_item(out: &mut String, item: &Item, layout: &Layout) -> fmt::Result {
             write_style(out, style, 1.0)?;
             writeln!(out, "/>")
         }
-        Item::Text { .. } => Ok(()),
+        Item::Name { .. } | Item::Text { .. } => Ok(()),
     }
 }
 
@@ -174,10 +174,14 @@ fn write_letters(out: &mut String, letters: &[Letters]) -> fmt::Result {
         out,
         "<g font-family=\"'DejaVu Sans Mono', Menlo, Consolas, monospace\" fill=\"#000000\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">"
     )?;
-    for Letters { text, at: [x, y], size } in letters {
+    for Letters { text, at: [x, y], size, ink } in letters {
         let (x, y, size) = (Number(*x), Number(*y), Number(*size));
         let text = Escaped(text);
-        writeln!(out, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" xml:space=\"preserve\">{text}</text>")?;
+        write!(out, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"")?;
+        if *ink != [0; 3] {
+            write!(out, " fill=\"{}\"", Paint(Some(*ink)))?;
+        }
+        writeln!(out, " xml:space=\"preserve\">{text}</text>")?;
     }
     writeln!(out, "</g>")
 }

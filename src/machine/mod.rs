@@ -98,6 +98,16 @@ impl Language {
     }
 }
 
+/// What moves the pointer where a program is shown, for hints that name it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Pointing {
+    /// A mouse or the like.
+    #[default]
+    Mouse,
+    /// Keys that the display keeps for it: Ctrl with the arrows moves it, Ctrl+Space presses and releases its button.
+    Keys,
+}
+
 /// How a program behaves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Manner {
@@ -194,6 +204,7 @@ impl Machine {
             lost: None,
             language: settings.language,
             manner: settings.manner,
+            pointing: Pointing::default(),
             preferences: Preferences::default(),
             answer: None,
         };
@@ -294,6 +305,11 @@ impl Machine {
     /// How programs behave (`--manner`).
     pub fn manner(&self) -> Manner {
         self.port.borrow().manner
+    }
+
+    /// What moves the pointer.
+    pub fn pointing(&self) -> Pointing {
+        self.port.borrow().pointing
     }
 
     /// The position of the mouse and its buttons.

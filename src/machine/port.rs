@@ -4,7 +4,7 @@
 //! screen is moved from one to the other at the await, so it is never shared.
 
 use super::event::{Mouse, Tick};
-use super::{Asked, Language, Manner, Pointer, Preferences, StorageError};
+use super::{Asked, Language, Manner, Pointer, Pointing, Preferences, StorageError};
 use crate::screen::Screen;
 use serde::Serialize;
 use std::cell::RefCell;
@@ -47,6 +47,7 @@ pub(super) struct Port {
     pub(super) model: Option<Box<dyn Model>>,
     pub(super) language: Language,
     pub(super) manner: Manner,
+    pub(super) pointing: Pointing,
     pub(super) preferences: Preferences,
     /// The file that the work belongs to.
     pub(super) file: Option<String>,

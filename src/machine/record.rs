@@ -1,7 +1,7 @@
 //! Writes a session down as a script that replays to the same pictures.
 
 use super::event::{Event, Key};
-use super::{Language, Manner};
+use super::{Language, Manner, Pointing};
 use std::io::{self, Write};
 use std::time::Duration;
 
@@ -25,6 +25,14 @@ impl Recorder {
     pub(super) fn begin(&mut self, language: Language, manner: Manner) {
         self.line(&format!("lang {}", language.code()));
         self.line(&format!("manner {}", manner.name()));
+    }
+
+    /// Writes what moves the pointer.
+    pub(super) fn pointing(&mut self, pointing: Pointing) {
+        self.line(match pointing {
+            Pointing::Mouse => "pointing mouse",
+            Pointing::Keys => "pointing keys",
+        });
     }
 
     /// Writes one event that happened at `now`, a moment in whole milliseconds.

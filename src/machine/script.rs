@@ -2,7 +2,7 @@
 
 use super::event::{Button, Event, Key};
 use super::session::Session;
-use super::{Language, Manner, Settings};
+use super::{Language, Manner, Pointing, Settings};
 use crate::screen::Screen;
 use std::fmt;
 use std::time::Duration;
@@ -38,6 +38,8 @@ pub enum Command {
     Language(Language),
     /// How the program behaves from now on.
     Manner(Manner),
+    /// What moves the pointer from now on, for hints.
+    Pointing(Pointing),
     /// The close button.
     Close,
 }
@@ -140,6 +142,8 @@ fn parse_line(line: &str) -> Result<Command, String> {
         ("lang", ["en"]) => Ok(Command::Language(Language::English)),
         ("manner", ["today"]) => Ok(Command::Manner(Manner::Today)),
         ("manner", ["1997"]) => Ok(Command::Manner(Manner::Original)),
+        ("pointing", ["mouse"]) => Ok(Command::Pointing(Pointing::Mouse)),
+        ("pointing", ["keys"]) => Ok(Command::Pointing(Pointing::Keys)),
         ("close", []) => Ok(Command::Close),
         (verb, _) => Err(match FORMS.iter().find(|(known, _)| *known == verb) {
             Some((_, form)) => format!("{line:?} should be \"{form}\""),
@@ -152,7 +156,7 @@ fn parse_line(line: &str) -> Result<Command, String> {
 }
 
 /// Every command with its form, for messages.
-const FORMS: [(&str, &str); 15] = [
+const FORMS: [(&str, &str); 16] = [
     ("key", "key NAME"),
     ("type", "type TEXT"),
     ("move", "move X Y"),
@@ -167,6 +171,7 @@ const FORMS: [(&str, &str); 15] = [
     ("pointer", "pointer on|off"),
     ("lang", "lang hu|en"),
     ("manner", "manner today|1997"),
+    ("pointing", "pointing mouse|keys"),
     ("close", "close"),
 ];
 
@@ -223,6 +228,7 @@ pub fn play(session: &mut Session, script: &Script, outlet: &mut dyn Outlet) -> 
             Command::Pointer(on) => pointer = *on,
             Command::Language(language) => session.set_language(*language),
             Command::Manner(manner) => session.set_manner(*manner),
+            Command::Pointing(pointing) => session.set_pointing(*pointing),
             Command::Shot(path) => {
                 let mut screen = session.screen().clone();
                 if let (true, Some((masks, x, y))) = (pointer, session.pointer()) {
@@ -267,7 +273,8 @@ fn events(command: &Command) -> Vec<Event> {
         | Command::Dump(_)
         | Command::Pointer(_)
         | Command::Language(_)
-        | Command::Manner(_) => Vec::new(),
+        | Command::Manner(_)
+        | Command::Pointing(_) => Vec::new(),
     }
 }
 

@@ -6,7 +6,7 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Asked, Language, Look, Machine, Manner, Pointer, PointerSpeed, Stop, StorageError};
+use super::{Asked, Language, Look, Machine, Manner, Pointer, PointerSpeed, Pointing, Stop, StorageError};
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH, visible};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
@@ -122,6 +122,15 @@ impl Session {
     pub fn set_manner(&mut self, manner: Manner) {
         let before = std::mem::replace(&mut self.port.borrow_mut().manner, manner);
         self.redraw_if(before != manner);
+    }
+
+    /// Tells what moves the pointer on the display, which a recording repeats.
+    pub fn set_pointing(&mut self, pointing: Pointing) {
+        let before = std::mem::replace(&mut self.port.borrow_mut().pointing, pointing);
+        if let Some(recorder) = self.recorder.as_mut().filter(|_| before != pointing) {
+            recorder.pointing(pointing);
+        }
+        self.redraw_if(before != pointing);
     }
 
     fn redraw_if(&mut self, changed: bool) {

@@ -1,7 +1,7 @@
 //! The axes in the picture of space, and the legend of a result that is turned.
 
 use super::look::Look;
-use super::words;
+use super::words::Words;
 use crate::geometry::Point;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
@@ -36,10 +36,10 @@ pub(crate) fn draw_axes(screen: &mut Screen, look: Look) {
     }
 }
 
-/// Draws the arrows and the key that leaves.
-pub(crate) fn draw_legend(screen: &mut Screen, language: Language) {
+/// Draws the arrows and what Esc does.
+pub(crate) fn draw_legend(screen: &mut Screen, leave: Words, language: Language) {
     for [(x1, y1), (x2, y2)] in ARROWS {
         screen.line(x1, y1, x2, y2, Stroke::thin(Color::LightGray));
     }
-    screen.text(15, 85, words::LEAVE.of(language), Color::LightGray);
+    screen.text(15, 85, leave.of(language), Color::LightGray);
 }

@@ -1,6 +1,6 @@
 //! The desk a program works at: the machine, the keys common to all programs, and the help page.
 
-use super::ask::TOP;
+use super::hint::Hint;
 use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
@@ -29,34 +29,6 @@ pub trait Picture {
     /// What can be done now, which is shown where nothing is asked, in the manner of today.
     fn hint(&self) -> Option<Hint> {
         None
-    }
-}
-
-/// What can be done now, in at most [`HINT_LINES`] lines.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Hint {
-    /// The upper left corner of the text.
-    pub at: (i32, i32),
-    /// Letters in a line.
-    pub letters: usize,
-    /// The text, with its keys.
-    pub text: Phrase,
-}
-
-/// Lines of a hint.
-pub const HINT_LINES: usize = 3;
-
-impl Hint {
-    /// A hint on the communication page at the top.
-    pub fn new(text: impl Into<Phrase>) -> Hint {
-        Hint { at: (TOP.0 + 8, TOP.1 + 7), letters: 28, text: text.into() }
-    }
-
-    fn draw(&self, screen: &mut Screen, language: Language) {
-        let (x, y) = self.at;
-        for (row, line) in (0..).zip(wrap(self.text.of(language), self.letters).iter().take(HINT_LINES)) {
-            screen.text(x, y + 11 * row, line, Color::Black);
-        }
     }
 }
 
@@ -134,8 +106,10 @@ pub struct Desk<'m> {
 
 /// When a desk wakes a program without an event.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Wake {
+pub(super) enum Wake {
     Never,
+    /// Not without an event, but also by a key of the desk that changed a preference.
+    Preference,
     Frame,
     At(Duration),
 }
@@ -187,7 +161,7 @@ impl<'m> Desk<'m> {
         self.machine.now().saturating_sub(self.away)
     }
 
-    async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Asked<Tick> {
+    pub(super) async fn event_within(&mut self, picture: &dyn Picture, wake: Wake) -> Asked<Tick> {
         loop {
             self.draw(picture);
             if self.machine.film_is_full() {
@@ -201,19 +175,22 @@ impl<'m> Desk<'m> {
                 (Wake::Frame, _) => self.machine.frame().await?,
                 (Wake::At(moment), None) => self.machine.event_before(moment).await?,
                 (Wake::At(moment), Some(own)) => self.machine.event_before(moment.min(own)).await?,
-                (Wake::Never, Some(own)) => self.machine.event_before(own).await?,
-                (Wake::Never, None) => self.machine.event().await?,
+                (Wake::Never | Wake::Preference, Some(own)) => self.machine.event_before(own).await?,
+                (Wake::Never | Wake::Preference, None) => self.machine.event().await?,
             };
             let due = match wake {
-                Wake::Never => false,
+                Wake::Never | Wake::Preference => false,
                 Wake::Frame => true,
                 Wake::At(moment) => moment <= tick.now,
             };
             self.forget_notice(&tick);
             match tick.key() {
                 Some(Key::F(1)) => self.help().await?,
-                Some(Key::F(2)) => self.change_language(),
-                Some(Key::CtrlF(11)) => self.prefer(|it| it.turn(Preference::Look, true)),
+                Some(key) if self.turns_preference(key) => {
+                    if wake == Wake::Preference {
+                        return Ok(tick);
+                    }
+                }
                 Some(Key::F(9)) if !self.aside => self.change_settings(picture).await?,
                 Some(Key::F(10)) if !self.aside => self.save_figure(picture).await?,
                 Some(Key::F(12)) => self.keep_picture(),
@@ -224,10 +201,18 @@ impl<'m> Desk<'m> {
         }
     }
 
-    /// The key F2: the other language, now and at the next start.
-    fn change_language(&mut self) {
-        let kept = self.machine.prefer_other_language();
-        self.tell_if_not_kept(kept);
+    /// The keys that change a preference, now and at the next start: F2 the language, Ctrl+F11 the look of the window.
+    /// Whether the key was one of them.
+    fn turns_preference(&mut self, key: Key) -> bool {
+        match key {
+            Key::F(2) => {
+                let kept = self.machine.prefer_other_language();
+                self.tell_if_not_kept(kept);
+            }
+            Key::CtrlF(11) => self.prefer(|it| it.turn(Preference::Look, true)),
+            _ => return false,
+        }
+        true
     }
 
     /// Changes what the user has chosen for all programs.
@@ -279,7 +264,8 @@ impl<'m> Desk<'m> {
         let language = self.machine.language();
         picture.draw(self.machine.screen(), language);
         if let (Manner::Today, Some(hint)) = (self.machine.manner(), picture.hint()) {
-            hint.draw(self.machine.screen(), language);
+            let pointing = self.machine.pointing();
+            hint.draw(self.machine.screen(), language, pointing);
         }
         let (filmed, other) = match self.notice.take() {
             Some(notice) if notice.filmed => (Some(notice), None),
@@ -340,8 +326,7 @@ impl<'m> Desk<'m> {
             self.film_screen();
             let tick = self.machine.event().await?;
             match tick.key() {
-                Some(Key::F(2)) => self.change_language(),
-                Some(Key::CtrlF(11)) => self.prefer(|it| it.turn(Preference::Look, true)),
+                Some(key) if self.turns_preference(key) => {}
                 Some(Key::CtrlF(12)) => {
                     self.switch_film();
                     return Ok(());

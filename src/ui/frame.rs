@@ -24,6 +24,11 @@ impl Area {
         Area { x1, y1, x2, y2 }
     }
 
+    /// The area around a line of so many letters.
+    pub const fn of_line((x, y): (i32, i32), letters: i32) -> Area {
+        Area::new(x - 3, y - 4, x + 8 * letters + 2, y + 11)
+    }
+
     /// Whether a pixel lies strictly inside, the original's test of clicks.
     pub fn holds(self, x: i32, y: i32) -> bool {
         self.x1 < x && x < self.x2 && self.y1 < y && y < self.y2

@@ -1,6 +1,6 @@
 //! A panel: a page of rows over the program's picture, which stays open while its values change.
 
-use super::desk::{Desk, Picture};
+use super::desk::{Desk, Picture, Wake};
 use super::entry::Accepts;
 use super::frame::{Area, panel};
 use super::save::line_entry;
@@ -80,6 +80,8 @@ pub enum Done {
     Changed,
     /// Pressed the button of a row of the present tab.
     Pressed(usize),
+    /// Changed nothing on the panel, but perhaps a preference, by a key of the desk.
+    Nothing,
 }
 
 /// Height of a row, and distance of values from the left edge.
@@ -217,9 +219,11 @@ impl Desk<'_> {
                 under.draw(screen, language);
                 panel.draw(model, screen, language);
             };
-            let tick = self.event(&draw).await?;
-            if matches!(tick.key(), Some(Key::Esc | Key::F(9))) {
-                return Err(Stop::Cancelled);
+            let tick = self.event_within(&draw, Wake::Preference).await?;
+            match tick.key() {
+                Some(Key::Esc | Key::F(9)) => return Err(Stop::Cancelled),
+                Some(Key::F(_) | Key::CtrlF(_)) => return Ok(Done::Nothing),
+                _ => {}
             }
             let Some(forward) = panel.react(&tick) else { continue };
             let index = panel.chosen[1];
@@ -231,7 +235,7 @@ impl Desk<'_> {
                 Some(Row::Value { get, set, range, .. }) => {
                     let entry = line_entry(LONGEST, Accepts::Number).proposing(get(model).to_string());
                     let typed = self.type_line(&draw, words::NEW_NUMBER, entry).await.unless_cancelled()?;
-                    let Some(typed) = typed else { continue };
+                    let Some(typed) = typed else { return Ok(Done::Nothing) };
                     match Number::Real(f64::MIN..=f64::MAX).read(&typed).filter(|it| range.contains(it)) {
                         Some(number) => set(model, number),
                         None => {
@@ -243,7 +247,7 @@ impl Desk<'_> {
                 Some(Row::Text { caption, get, set, .. }) => {
                     let entry = line_entry(LONGEST, Accepts::Text).proposing(get(model));
                     let typed = self.type_line(&draw, *caption, entry).await.unless_cancelled()?;
-                    let Some(typed) = typed else { continue };
+                    let Some(typed) = typed else { return Ok(Done::Nothing) };
                     set(model, &typed);
                 }
                 Some(Row::Choice { turn, .. }) => turn(model, index, forward),
@@ -315,7 +319,7 @@ mod tests {
                     )
                     .await
                 {
-                    Ok(Done::Changed) => {}
+                    Ok(Done::Changed | Done::Nothing) => {}
                     Ok(Done::Pressed(row)) => pressed = Some(row),
                     Err(stop) => return Err(stop),
                 }

@@ -108,6 +108,7 @@ impl Desk<'_> {
                         self.prefer(|it| drop(it.set(turned, &value)));
                     }
                 }
+                Some(Done::Nothing) => {}
                 // The only button is that for going back.
                 Some(Done::Pressed(_)) | None => return Ok(()),
             }

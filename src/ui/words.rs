@@ -415,6 +415,7 @@ pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
 // The space editor.
 pub(crate) const PLACE_3D: Words = Words("Hely", "Place");
 pub(crate) const LEAVE: Words = Words("ESC - kilép", "ESC - back");
+pub(crate) const ESC_ENDS: Words = Words("ESC - kilép", "ESC - quit");
 pub(crate) const HELP_DRAG_3D: Words =
     Words("pont húzása a kép síkjában", "drag a point in the plane of the picture");
 pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "drag to turn");
@@ -616,7 +617,7 @@ pub(crate) const HINT_FIRST: Words = Words(
     "Click on the field: every click is a point. F1 help",
 );
 pub(crate) const HINT_MORE: Words =
-    Words("Még pontok kellenek: kattint- son a mezőre", "A curve needs more points: click on the field");
+    Words("Még pontok kellenek: kattintson a mezőre", "A curve needs more points: click on the field");
 pub(crate) const HINT_MORE_3D: Words = Words(
     "Még pontok kellenek: B és a három koordináta",
     "A curve needs more points: B and their coordinates",
@@ -626,13 +627,21 @@ pub(crate) const HINT_EDIT: Words = Words(
     "Húzza a pontokat; kattintás: új pont. G eljárás, E eredmény, F1 súgó",
     "Drag points; a click adds one. G method, E result, F1 help",
 );
+pub(crate) const HINT_EDIT_BETA: Words = Words(
+    "Húzza a pontokat; kattintás: új pont. G görbe, E eredmény, F1 súgó",
+    "Drag points; a click adds one. G curve, E result, F1 help",
+);
 pub(crate) const HINT_EDIT_3D: Words = Words(
     "Húzza a pontokat; mellettük húzva forog. G eljárás, F1 súgó",
     "Drag points; drag beside them to turn. G method, F1 help",
 );
+pub(crate) const HINT_EDIT_BETA_3D: Words = Words(
+    "Húzza a pontokat; mellettük húzva forog. G görbe, F1 súgó",
+    "Drag points; drag beside them to turn. G curve, F1 help",
+);
 pub(crate) const HINT_TANGENTS: Words = Words(
-    "Húzza a pontokat és az érintők végét. G görbe, E eredmény, F1",
-    "Drag points and the tips of tangents. G curve, E result, F1",
+    "Húzza a pontokat és az érintők végét. G görbe, F1 súgó",
+    "Drag points and the tips of tangents. G curve, F1 help",
 );
 pub(crate) const HINT_HELD: Words = Words(
     "Engedje el, ahová kerüljön; a mezőn kívül: törlés. Esc: vissza",
@@ -645,12 +654,74 @@ pub(crate) const HINT_TIP: Words = Words(
     "Direction and length of the tangent shape it. Esc: back",
 );
 pub(crate) const HINT_NET: Words = Words(
-    "Húzza a pontokat; mellettük húzva forog. F felület, E kép, F1 súgó",
-    "Drag points; drag beside them to turn. F surface, E result, F1",
+    "Húzza a pontokat; mellettük húzva forog. F felület, E teljes képernyő, F1 súgó",
+    "Drag points; drag beside them to turn. F surface, E full screen, F1 help",
 );
 pub(crate) const HINT_SURFACE: Words = Words(
-    "Húzva forog, kerékkel nagyít. V háló, F felület, E kép, F1 súgó",
-    "Drag to turn, wheel to zoom. V net, F surface, E result, F1",
+    "Húzva forog, kerék nagyít. V pont, E teljes képernyő (D drót, T tele), F1 súgó",
+    "Drag turns, wheel zooms. V point, E full screen (D wires, T solid), F1 help",
+);
+pub(crate) const HINT_HEIGHTS: Words = Words(
+    "Húzva forog, kerék nagyít. V pont, E teljes képernyő, F1 súgó",
+    "Drag turns, wheel zooms. V point, E full screen, F1 help",
+);
+pub(crate) const HINT_COEFFICIENTS: Words = Words(
+    "Kattintson egy ablakra, vagy válasszon nyíllal. Q kilép, F1 súgó, F5 illesztés",
+    "Click a window, or choose one by arrows. Q quit, F1 help, F5 fit to points",
+);
+/// Under the number itself.
+pub(crate) const HINT_COEFFICIENT: Words =
+    Words("Fel/Le változtatja, Enter: beírás, Esc: vissza", "Up/Down change it, Enter: type it, Esc: back");
+pub(crate) const HINT_TYPING: Words = Words("Enter: kész, Esc: mégsem", "Enter: done, Esc: cancel");
+pub(crate) const HINT_CURSOR: Words = Words(
+    "Vigye a színek fölé az egérrel vagy a nyilakkal. F1 súgó, Esc vége",
+    "Move it over the colours by mouse or arrows. F1 help, Esc end",
+);
+
+// The same where keys move the pointer.
+pub(crate) const KEYS_FIRST: Words = Words(
+    "Ctrl+nyíl visz a helyére, Ctrl+szóköz kétszer: pont. F1 súgó",
+    "Ctrl+arrows go to a place, Ctrl+Space twice: a point. F1 help",
+);
+pub(crate) const KEYS_MORE: Words = Words(
+    "Még pontok kellenek: Ctrl+nyíl, Ctrl+szóköz kétszer",
+    "A curve needs more points: Ctrl+arrows, Ctrl+Space twice",
+);
+pub(crate) const KEYS_EDIT: Words = Words(
+    "Ctrl+nyíllal egy pontra, Ctrl+szóköz megfogja. G eljárás, F1 súgó",
+    "Ctrl+arrows to a point, Ctrl+Space takes it. G method, E result, F1 help",
+);
+pub(crate) const KEYS_EDIT_CURVE: Words = Words(
+    "Ctrl+nyíllal egy pontra, Ctrl+szóköz megfogja. G görbe, F1 súgó",
+    "Ctrl+arrows to a point, Ctrl+Space takes it. G curve, E result, F1 help",
+);
+pub(crate) const KEYS_EDIT_3D: Words = Words(
+    "Nyíl forgat; Ctrl+nyíl, Ctrl+szóköz: pont fogása. G eljárás, F1 súgó",
+    "Arrows turn it; Ctrl+arrows, Ctrl+Space take a point. G method, F1 help",
+);
+pub(crate) const KEYS_EDIT_CURVE_3D: Words = Words(
+    "Nyíl forgat; Ctrl+nyíl, Ctrl+szóköz: pont fogása. G görbe, F1 súgó",
+    "Arrows turn it; Ctrl+arrows, Ctrl+Space take a point. G curve, F1 help",
+);
+pub(crate) const KEYS_HELD: Words = Words(
+    "Ctrl+nyíl viszi, Ctrl+szóköz elengedi. Esc: vissza",
+    "Ctrl+arrows move it, Ctrl+Space lets go. Esc: back",
+);
+pub(crate) const KEYS_NET: Words = Words(
+    "Nyíl forgat; Ctrl+nyíl, Ctrl+szóköz: pont fogása. F felület, F1 súgó",
+    "Arrows turn it; Ctrl+arrows, Ctrl+Space take a point. F surface, F1 help",
+);
+pub(crate) const KEYS_SURFACE: Words = Words(
+    "Nyíl forgat. V pont, E teljes képernyő (D drót, T tele), F1 súgó",
+    "Arrows turn, Alt+PgUp zooms. V point, E full screen (D wires, T solid), F1 help",
+);
+pub(crate) const KEYS_HEIGHTS: Words = Words(
+    "Nyíl forgat, Alt+PgUp nagyít. V pont, E teljes képernyő, F1 súgó",
+    "Arrows turn, Alt+PgUp zooms. V point, E full screen, F1 help",
+);
+pub(crate) const KEYS_COEFFICIENTS: Words = Words(
+    "Nyíllal válasszon ablakot. Q kilép, F1 súgó, F5 illesztés",
+    "Choose a window by arrows. Q quit, F1 help, F5 fit to points",
 );
 
 /// A point has been deleted by the key.
@@ -663,6 +734,8 @@ pub(crate) const NOTHING_HERE: Words = Words("Az egér alatt nincs pont", "No po
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::machine::Pointing;
+    use crate::ui::{HINT_LINES, Hint};
 
     const LANGUAGES: [Language; 2] = [Language::Hungarian, Language::English];
 
@@ -689,6 +762,51 @@ mod tests {
             for (answer, language) in answers.iter().flat_map(|answer| LANGUAGES.map(|it| (answer, it))) {
                 assert!(5 + answer.width(language) <= room, "{}{}", answer.letter, answer.rest.of(language));
             }
+        }
+    }
+
+    #[test]
+    fn hints_lie_on_the_communication_page() {
+        let hints = [
+            HINT_FIRST,
+            HINT_MORE,
+            HINT_MORE_3D,
+            HINT_CURVE,
+            HINT_EDIT,
+            HINT_EDIT_BETA,
+            HINT_EDIT_3D,
+            HINT_EDIT_BETA_3D,
+            HINT_TANGENTS,
+            HINT_HELD,
+            HINT_HELD_3D,
+            HINT_TIP,
+            HINT_NET,
+            HINT_SURFACE,
+            HINT_HEIGHTS,
+            HINT_COEFFICIENTS,
+            HINT_CURSOR,
+            KEYS_FIRST,
+            KEYS_MORE,
+            KEYS_EDIT,
+            KEYS_EDIT_CURVE,
+            KEYS_EDIT_3D,
+            KEYS_EDIT_CURVE_3D,
+            KEYS_HELD,
+            KEYS_NET,
+            KEYS_SURFACE,
+            KEYS_HEIGHTS,
+            KEYS_COEFFICIENTS,
+        ];
+        for (hint, language) in hints.iter().flat_map(|hint| LANGUAGES.map(|it| (hint, it))) {
+            let lines = Hint::new(*hint).lines(language, Pointing::Mouse);
+            assert!(lines.len() <= HINT_LINES, "{lines:?}");
+        }
+        // The number itself takes the first line.
+        for (hint, language) in
+            [HINT_COEFFICIENT, HINT_TYPING].iter().flat_map(|hint| LANGUAGES.map(|it| (hint, it)))
+        {
+            let lines = Hint::new(*hint).lines(language, Pointing::Mouse);
+            assert!(lines.len() < HINT_LINES, "{lines:?}");
         }
     }
 

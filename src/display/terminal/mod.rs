@@ -18,7 +18,7 @@ pub use tty::Signals;
 
 use super::Display;
 use super::clock::Clock;
-use crate::machine::{Event, Language, Session};
+use crate::machine::{Event, Language, Pointing, Session};
 use crate::screen::{Palette, Screen};
 use blocks::{Cell, Depth};
 use crossterm::event::Event as TerminalEvent;
@@ -62,6 +62,7 @@ const LONGEST_SLEEP: Duration = Duration::from_secs(1);
 pub fn run(session: &mut Session) -> Result<(), TerminalError> {
     let tty = Tty::open()?;
     let mut view = View::new(&tty)?;
+    session.set_pointing(Pointing::Keys);
     while !session.ended() {
         let due = view.step(session)?;
         let Told { events, paused } = tty.events(view.sleep(due))?;

@@ -56,6 +56,11 @@ pub enum WindowError {
     Paint(String),
 }
 
+/// Paints a window of a size with a picture in it, row by row as 0x00RRGGBB; `pixels` of another number are left alone.
+pub fn paint(picture: &Screen, look: Look, palette: Palette, size: (usize, usize), pixels: &mut [u32]) {
+    Layout::of(size, look).paint(picture, palette, pixels);
+}
+
 /// Whether there is a desktop to open a window on: always on Windows and macOS, elsewhere when the
 /// environment names an X11 or Wayland display.
 pub fn window_possible() -> bool {

@@ -4,13 +4,24 @@ use super::ask::ask_real;
 use crate::geometry::Shape;
 use crate::machine::{Asked, Language};
 use crate::screen::{Color, Screen};
-use crate::ui::{Desk, Picture, words};
+use crate::ui::{Area, Desk, Picture, words};
 use std::ops::RangeInclusive;
 
 /// Range of the bias.
 pub(in crate::editor) const BIAS: RangeInclusive<f64> = 0.05..=20.0;
 /// Range of the tension: everything that four characters can express.
 pub(in crate::editor) const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
+
+/// Where the two values stand, and how many letters they have room for.
+const BIAS_AT: (i32, i32) = (20, 5);
+const TENSION_AT: (i32, i32) = (35, 40);
+const ROOM: i32 = 20;
+
+/// Which of the two values, bias and tension, is shown at a pixel.
+pub(in crate::editor) fn value_at<T>((x, y): (i32, i32), [bias, tension]: [T; 2]) -> Option<T> {
+    let places = [(BIAS_AT, bias), (TENSION_AT, tension)];
+    places.into_iter().find(|(at, _)| Area::of_line(*at, ROOM).holds(x, y)).map(|(_, value)| value)
+}
 
 /// Asks for the bias.
 pub(in crate::editor) async fn ask_bias(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
@@ -27,8 +38,8 @@ pub(in crate::editor) fn draw_values(screen: &mut Screen, shape: Shape, language
     screen.bar(75, 2, 155, 17, Color::LightCyan);
     screen.bar(110, 37, 200, 52, Color::LightCyan);
     let line = |name: words::Words, value: f64| format!("{}{}", name.of(language), shown(value));
-    screen.text(20, 5, &line(words::BIAS_VALUE, shape.bias), Color::Black);
-    screen.text(35, 40, &line(words::TENSION_VALUE, shape.tension), Color::Black);
+    screen.text(BIAS_AT.0, BIAS_AT.1, &line(words::BIAS_VALUE, shape.bias), Color::Black);
+    screen.text(TENSION_AT.0, TENSION_AT.1, &line(words::TENSION_VALUE, shape.tension), Color::Black);
 }
 
 /// A value with two decimals, or with an exponent where that would not fit.

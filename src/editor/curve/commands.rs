@@ -1,6 +1,6 @@
 //! Commands of the curve editors that ask questions, and what is shown beside the communication page.
 
-use super::ask::{FEWEST, METHODS, ask_closure, ask_method};
+use super::ask::{FEWEST, METHODS, ask_closure, ask_coefficient, ask_method};
 use super::tables::Action;
 use super::{Ambient, Curves, Tools, beta};
 use crate::design::Place;
@@ -11,9 +11,18 @@ use crate::geometry::Point;
 use crate::machine::Asked;
 use crate::screen::Color;
 use crate::ui::words;
-use crate::ui::{Desk, Stay};
+use crate::ui::{Area, Desk, Stay};
 use crate::work::{Next, quit};
 use serde::Serialize;
+
+/// Where the coefficient of the tangents is shown: on the page, and left of it where tangents can be set.
+const NOTE_AT: (i32, i32) = (262, 23);
+const TANGENTS_NOTE_AT: (i32, i32) = (65, 43);
+
+/// The coefficient of the tangents as it is shown.
+pub(super) fn k0_note(k0: f64) -> String {
+    format!("k0 = {k0:.2}")
+}
 
 impl<const D: usize> Editor<Curves<D>, D>
 where
@@ -40,6 +49,7 @@ where
                 let tension = beta::ask_tension(desk, self).await?;
                 self.reshape(desk, self.history.now().with_shape(|shape| shape.tension = tension));
             }
+            Action::K0 => self.change_k0(desk).await?,
             Action::Follow => self.toggle_follow(desk),
             Action::Compare => self.compare(desk).await?,
             Action::Workshop => self.open_workshop(desk).await?,
@@ -74,7 +84,7 @@ where
                 let (method, k0) = ask_method(desk, self).await?;
                 sketch.settings.method = Some(method);
                 sketch.settings.k0 = k0.or(sketch.settings.k0);
-                note = k0.map(|k0| format!("k0 = {k0:.2}"));
+                note = k0.map(k0_note);
             }
         }
         let method = sketch.method().or(self.craft.tools.implied()).or(self.craft.usual);
@@ -89,6 +99,31 @@ where
         self.shown.take(true);
         self.craft.note = note.or(self.craft.note.take());
         Ok(())
+    }
+
+    /// Another coefficient of the automatic tangents; where tangents can be set, it is part of the offer.
+    async fn change_k0(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+        if self.craft.tools == Tools::Tangents {
+            self.stage = Stage::Offering;
+            return self.offer_automatic_tangents(desk).await;
+        }
+        let k0 = ask_coefficient(desk, self).await?;
+        let mut sketch = self.history.now().clone();
+        sketch.settings.k0 = Some(k0);
+        self.reshape(desk, sketch);
+        self.craft.note = Some(k0_note(k0));
+        Ok(())
+    }
+
+    /// The value that is shown at a pixel, as the command that changes it.
+    pub(super) fn value_shown_at(&self, at: (i32, i32)) -> Option<Action> {
+        let note = match self.craft.tools {
+            Tools::Methods => NOTE_AT,
+            Tools::Tangents => TANGENTS_NOTE_AT,
+            Tools::Beta => return beta::value_at(at, [Action::Bias, Action::Tension]),
+        };
+        let letters = i32::try_from(self.craft.note.as_ref()?.chars().count()).ok()?;
+        Area::of_line(note, letters).holds(at.0, at.1).then_some(Action::K0)
     }
 
     /// The key F3: switches whether the curve follows changes, and says so.
@@ -108,7 +143,7 @@ where
                 let chosen = self.stage == Stage::Choosing;
                 let color = if chosen { Color::LightMagenta } else { Color::Black };
                 page.screen.text(28, 5, words::METHOD_TITLE.of(language), color);
-                page.screen.text(262, 23, note, Color::Black);
+                page.screen.text(NOTE_AT.0, NOTE_AT.1, note, Color::Black);
                 if note.is_empty() {
                     self.draw_names(page, (216, 10), Color::Black);
                 }
@@ -117,7 +152,7 @@ where
             Tools::Tangents => {
                 page.screen.text(20, 20, words::COONS_TITLE.of(language), Color::Black);
                 page.screen.text(134, 10, words::COONS_ACCENTS.of(language), Color::Black);
-                page.screen.text(65, 43, note, Color::Black);
+                page.screen.text(TANGENTS_NOTE_AT.0, TANGENTS_NOTE_AT.1, note, Color::Black);
             }
             Tools::Beta => beta::draw_values(page.screen, self.history.now().shape(), language),
         }

@@ -29,7 +29,7 @@ use crate::machine::{Asked, Manner};
 use crate::screen::Color;
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase, Words};
-use crate::ui::{Answer, Commands, Desk, Manual, Question, Start, Stay};
+use crate::ui::{Answer, Commands, Desk, Hint, Manual, Question, Start, Stay};
 use crate::work::Next;
 use ask::FEWEST;
 use compare::Kind;
@@ -257,7 +257,7 @@ where
         editor.count() >= FEWEST && editor.drawn().curve().is_ok()
     }
 
-    fn hint(editor: &Editor<Self, D>) -> Option<Phrase> {
+    fn hint(editor: &Editor<Self, D>) -> Option<Hint> {
         editor.hint()
     }
 
@@ -356,6 +356,10 @@ where
 
     fn taken_up(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Held<Handle, D>> {
         editor.new_point(at)
+    }
+
+    fn value_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Action> {
+        editor.value_shown_at(at)
     }
 
     async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {

@@ -12,9 +12,9 @@ use crate::editor::{Craft, Editor};
 use crate::file::{FIELD, MAX_POINTS, Method};
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
-use crate::screen::Color;
-use crate::ui::words::{self, Phrase, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Number, Question, Stay, TOP};
+use crate::screen::{Color, Stroke};
+use crate::ui::words::{self, Words};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Hint, Number, Question, Stay, TOP};
 use serde::Serialize;
 
 /// How far from the curve a click is on it, in pixels.
@@ -80,26 +80,31 @@ where
     }
 
     /// What can be done now.
-    pub(super) fn hint(&self) -> Option<Phrase> {
+    pub(super) fn hint(&self) -> Option<Hint> {
         if self.craft.note.is_some() || !self.craft.compared.is_empty() {
             return None;
         }
         let plane = Curves::<D>::STORE.is_some();
-        Some(
-            match (self.held.map(|held| held.handle), self.count()) {
-                (Some(Handle::Tip(_)), _) => words::HINT_TIP,
-                (Some(_), _) if plane => words::HINT_HELD,
-                (Some(_), _) => words::HINT_HELD_3D,
-                (None, 0) if plane => words::HINT_FIRST,
-                (None, ..FEWEST) if plane => words::HINT_MORE,
-                (None, ..FEWEST) => words::HINT_MORE_3D,
-                (None, _) if !self.shown.visible => words::HINT_CURVE,
-                (None, _) if self.craft.tools == Tools::Tangents => words::HINT_TANGENTS,
-                (None, _) if plane => words::HINT_EDIT,
-                (None, _) => words::HINT_EDIT_3D,
+        let methods = self.craft.tools == Tools::Methods;
+        let (mouse, keys) = match (self.held.map(|held| held.handle), self.count()) {
+            (Some(Handle::Tip(_)), _) => (words::HINT_TIP, words::KEYS_HELD),
+            (Some(_), _) if plane => (words::HINT_HELD, words::KEYS_HELD),
+            (Some(_), _) => (words::HINT_HELD_3D, words::KEYS_HELD),
+            (None, 0) if plane => (words::HINT_FIRST, words::KEYS_FIRST),
+            (None, ..FEWEST) if plane => (words::HINT_MORE, words::KEYS_MORE),
+            (None, ..FEWEST) => (words::HINT_MORE_3D, words::HINT_MORE_3D),
+            (None, _) if !self.shown.visible => (words::HINT_CURVE, words::HINT_CURVE),
+            (None, _) if self.craft.tools == Tools::Tangents => {
+                (words::HINT_TANGENTS, words::KEYS_EDIT_CURVE)
             }
-            .into(),
-        )
+            (None, _) => match (methods, plane) {
+                (true, true) => (words::HINT_EDIT, words::KEYS_EDIT),
+                (false, true) => (words::HINT_EDIT_BETA, words::KEYS_EDIT_CURVE),
+                (true, false) => (words::HINT_EDIT_3D, words::KEYS_EDIT_3D),
+                (false, false) => (words::HINT_EDIT_BETA_3D, words::KEYS_EDIT_CURVE_3D),
+            },
+        };
+        Some(Hint::new(mouse).by_keys(keys))
     }
 
     /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
@@ -121,22 +126,27 @@ where
         let (mut items, sketch, result) = (Vec::new(), self.drawn(), self.stage.is_result());
         let mut open = self.preview();
         open.settings.closed = open.settings.closed.filter(|_| !self.craft.measured);
+        let live = Curves::<D>::LIVE && self.held.is_some() && self.shown.known;
+        let shown = (self.shown.visible || live || result) && !self.craft.measured;
+        let present = sketch.method().filter(|_| shown).zip(sketch.curve().ok());
+        let method = present.as_ref().map(|(method, _)| *method);
         let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
         for (index, (kind, name, color)) in compared.enumerate() {
             // A curve that does not exist is skipped; the user was told when choosing it. Each name is at another
             // fraction of its curve, so that the names stand apart.
             if let Ok(curve) = open.by(kind.method()).curve() {
                 let name = Some(Label { name, part: [2 * index + 1, 2 * Kind::ALL.len()] });
-                items.push(Item::Curve { curve, steps: steps(kind.method()), color, name });
+                // The present curve shows on both sides of its like.
+                let alike = method == Some(kind.method());
+                let stroke = if alike { Stroke::thin(color) } else { Stroke::thick(color) };
+                items.push(Item::Curve { curve, steps: steps(kind.method()), stroke, name });
             }
         }
-        let live = Curves::<D>::LIVE && self.held.is_some() && self.shown.known;
-        let shown = (self.shown.visible || live || result) && !self.craft.measured;
-        let Some((method, curve)) = sketch.method().filter(|_| shown).zip(sketch.curve().ok()) else {
-            return items;
-        };
+        let Some((method, curve)) = present else { return items };
         let joints = if method == Method::Beta { curve.joints() } else { Vec::new() };
-        items.push(Item::Curve { curve, steps: steps(method), color: Color::White, name: None });
+        let white =
+            Item::Curve { curve, steps: steps(method), stroke: Stroke::thick(Color::White), name: None };
+        items.insert(0, white);
         items.extend(joints.into_iter().map(Item::Joint));
         items
     }

@@ -16,6 +16,7 @@ pub(super) enum Action {
     Result,
     Bias,
     Tension,
+    K0,
     Quit,
     Follow,
     Compare,

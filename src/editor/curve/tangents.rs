@@ -2,6 +2,7 @@
 //! offers after every action.
 
 use super::ask::{FEWEST, ask_closure, ask_coefficient};
+use super::commands::k0_note;
 use super::{Ambient, Curves, Tools};
 use crate::design::Place;
 use crate::editor::Editor;
@@ -36,7 +37,7 @@ where
             return Ok(());
         };
         self.history.change(sketch);
-        self.craft.note = Some(format!("k0 = {k0:.2}"));
+        self.craft.note = Some(k0_note(k0));
         Ok(())
     }
 }

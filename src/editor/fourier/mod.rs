@@ -11,7 +11,7 @@ pub use crate::design::fourier::{coefficients, curve};
 use super::keys::{QUIT, SAVE, UNDO};
 use crate::design::fourier::{Coefficient, Column};
 use crate::file::{Document, Format, Fourier};
-use crate::machine::{Asked, Asking, Event, Key, Machine, Stop, Tick};
+use crate::machine::{Asked, Asking, Event, Key, Machine, Manner, Stop, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{
@@ -206,6 +206,12 @@ impl Work for Editor {
                 }
                 Some(Action::Fit) => {
                     self.fit(desk).await.unless_cancelled()?;
+                }
+                // In the manner of today nothing changes that was not chosen before.
+                Some(Action::Step(_) | Action::Choose(_))
+                    if self.marked.is_none() && desk.machine.manner() == Manner::Today =>
+                {
+                    self.mark(self.chosen);
                 }
                 Some(Action::Step(steps)) => self.step(self.chosen, steps),
                 Some(Action::Choose(other)) => self.mark(other(self.chosen)),

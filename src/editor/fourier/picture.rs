@@ -7,8 +7,10 @@ use crate::file::Fourier;
 use crate::geometry::ParamCurve;
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::{Picture, TOP, page};
+use crate::ui::{Hint, Picture, TOP, page, words};
 
+/// The place on the page below the marked coefficient.
+const BELOW: (i32, i32) = (216, 24);
 /// Number of segments of the drawn curve.
 const STEPS: usize = 1000;
 
@@ -38,6 +40,18 @@ impl Picture for Editor {
         }
         figure.plot_curve(&curve, CURVE_INK).ok()?;
         Some(figure)
+    }
+
+    /// Where nothing else stands on the page.
+    fn hint(&self) -> Option<Hint> {
+        if self.stage != Stage::Working || self.target.is_some() {
+            return None;
+        }
+        Some(match (&self.typing, self.marked) {
+            (Some(_), _) => Hint::at(BELOW, 28, words::HINT_TYPING),
+            (None, Some(_)) => Hint::at(BELOW, 28, words::HINT_COEFFICIENT),
+            (None, None) => Hint::new(words::HINT_COEFFICIENTS).by_keys(words::KEYS_COEFFICIENTS),
+        })
     }
 }
 

@@ -31,17 +31,18 @@ impl Editor<Nets, 3> {
             Action::ChangeAt(index) => self.change(desk, Some(index)).await?,
             Action::Surface => self.show_surface(desk).await?,
             Action::Result => self.show_result(desk).await?,
-            Action::Bias => {
+            Action::Bias(direction) => {
                 let set = |settings: &mut NetSettings, bias| settings.bias = Some(bias);
-                self.ask_parameter(desk, words::BIAS_ENTRY, BIAS, NetDesign::bias, set).await?;
+                self.ask_parameter(desk, direction, words::BIAS_ENTRY, BIAS, NetDesign::bias, set).await?;
             }
-            Action::Tension => {
+            Action::Tension(direction) => {
                 let set = |settings: &mut NetSettings, tension| settings.tension = Some(tension);
-                self.ask_parameter(desk, words::TENSION_ENTRY, TENSION, NetDesign::tension, set).await?;
+                self.ask_parameter(desk, direction, words::TENSION_ENTRY, TENSION, NetDesign::tension, set)
+                    .await?;
             }
-            Action::K0 => {
+            Action::K0(direction) => {
                 let set = |settings: &mut NetSettings, k0| settings.k0 = Some(k0);
-                self.ask_parameter(desk, words::COEFFICIENT_ENTRY, K0, NetDesign::k0, set).await?;
+                self.ask_parameter(desk, direction, words::COEFFICIENT_ENTRY, K0, NetDesign::k0, set).await?;
             }
             Action::Follow => {
                 self.shown.follow = !self.shown.follow;
@@ -156,16 +157,20 @@ impl Editor<Nets, 3> {
         Ok(())
     }
 
-    /// Asks for a direction and the value of a parameter in it.
+    /// Asks for a direction, unless it is chosen, and the value of a parameter in it.
     async fn ask_parameter(
         &mut self,
         desk: &mut Desk<'_>,
+        direction: Option<usize>,
         caption: Words,
         range: RangeInclusive<f64>,
         get: fn(&NetDesign) -> [f64; 2],
         set: fn(&mut NetSettings, [f64; 2]),
     ) -> Asked<()> {
-        let direction = self.ask_direction(desk).await?;
+        let direction = match direction {
+            Some(direction) => direction,
+            None => self.ask_direction(desk).await?,
+        };
         let typed = ask_real(desk, self, (caption, ENTRY), TENSION).await?;
         let value = typed.clamp(*range.start(), *range.end());
         if value != typed {

@@ -26,7 +26,7 @@ use crate::geometry::{Border, ParamSurface, Point};
 use crate::machine::{Asked, Asking, Tick};
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase};
-use crate::ui::{self, Commands, Desk, Stay};
+use crate::ui::{self, Commands, Desk, Hint, Stay};
 use crate::work::Next;
 use ask::ask_display;
 use inspect::{Inspection, Section};
@@ -158,13 +158,16 @@ impl Craft<3> for Nets {
         editor.history.now().solid().ok()
     }
 
-    fn hint(editor: &Editor<Nets, 3>) -> Option<Phrase> {
+    fn hint(editor: &Editor<Nets, 3>) -> Option<Hint> {
         let hint = match (editor.held, &editor.craft.drawn) {
-            (Some(_), _) => words::HINT_HELD_3D,
-            (None, None) => words::HINT_NET,
-            (None, Some(_)) => words::HINT_SURFACE,
+            (Some(_), _) => Hint::new(words::HINT_HELD_3D).by_keys(words::KEYS_HELD),
+            (None, None) => Hint::new(words::HINT_NET).by_keys(words::KEYS_NET),
+            (None, Some(_)) if editor.craft.asks_display() => {
+                Hint::new(words::HINT_SURFACE).by_keys(words::KEYS_SURFACE)
+            }
+            (None, Some(_)) => Hint::new(words::HINT_HEIGHTS).by_keys(words::KEYS_HEIGHTS),
         };
-        Some(hint.into())
+        Some(hint)
     }
 
     fn names_shape(&self, design: &NetDesign) -> bool {
@@ -229,6 +232,10 @@ impl Craft<3> for Nets {
     /// A click on the map chooses its point.
     fn clicked(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {
         editor.map().hit(at).map(Action::ChangeAt)
+    }
+
+    fn value_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {
+        editor.value_shown_at(at)
     }
 
     async fn obey(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {

@@ -4,6 +4,7 @@ use super::Nets;
 use super::inspect::{Inspection, Section};
 use super::plan::Family;
 use super::surface::{Display, Drawn, Fill, draw_grid};
+use super::tables::Action;
 use crate::design::{Index, NetDesign, Part};
 use crate::editor::Editor;
 use crate::editor::lens::Lens;
@@ -13,12 +14,16 @@ use crate::figure::{Axes, Figure, Hidden};
 use crate::geometry::{BoundingBox, Grid, Point, View};
 use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
+use crate::ui::Area;
 use crate::ui::look::Look;
-use crate::ui::words;
+use crate::ui::words::{self, Words};
 use std::rc::Rc;
 
 /// Largest distance of a click from a control point, in pixels.
 const REACH: i32 = 6;
+/// Where the shape parameters stand, and how many letters of each are sure to be there.
+const VALUES_Y: i32 = 470;
+const VALUE_LETTERS: i32 = 13;
 /// Length of the drawn tangents of a Hermite patch.
 const TANGENT: f64 = 0.2;
 /// Segments of its border curves.
@@ -151,26 +156,40 @@ impl Editor<Nets, 3> {
         Some(phrase.of(language).to_string())
     }
 
-    /// The shape parameters under the picture.
-    fn draw_values(&self, screen: &mut Screen, language: Language) {
+    /// The shape parameters under the picture: where they begin, their names and values, and what changes them.
+    fn values(&self) -> Vec<(i32, Words, String, Action)> {
         let net = self.history.now();
         let (bias, tension, k0) = (net.bias(), net.tension(), net.k0());
-        let mut write = |x: i32, name: words::Words, direction: &str, value: String| {
-            screen.text(x, 470, &format!("{}{direction} = {value}", name.of(language)), Color::Black);
+        let two = |value: f64| format!("{value:.2}");
+        let value = |x, name, direction: usize, value: String, action: fn(Option<usize>) -> Action| {
+            let letter = if direction == 0 { "u" } else { "v" };
+            (x, name, format!("_{letter} = {value}"), action(Some(direction)))
         };
         match self.craft.plan.family {
-            Family::Beta => {
-                write(2, words::BIAS_NAME, "_u", format!("{:.2}", bias[0]));
-                write(145, words::BIAS_NAME, "_v", format!("{:.2}", bias[1]));
-                write(292, words::TENSION_NAME, "_u", short(tension[0]));
-                write(471, words::TENSION_NAME, "_v", short(tension[1]));
-            }
-            Family::Local => {
-                write(120, words::K0_NAME, "_u", format!("{:.2}", k0[0]));
-                write(340, words::K0_NAME, "_v", format!("{:.2}", k0[1]));
-            }
-            _ => {}
+            Family::Beta => vec![
+                value(2, words::BIAS_NAME, 0, two(bias[0]), Action::Bias),
+                value(145, words::BIAS_NAME, 1, two(bias[1]), Action::Bias),
+                value(292, words::TENSION_NAME, 0, short(tension[0]), Action::Tension),
+                value(471, words::TENSION_NAME, 1, short(tension[1]), Action::Tension),
+            ],
+            Family::Local => vec![
+                value(120, words::K0_NAME, 0, two(k0[0]), Action::K0),
+                value(340, words::K0_NAME, 1, two(k0[1]), Action::K0),
+            ],
+            _ => Vec::new(),
         }
+    }
+
+    fn draw_values(&self, screen: &mut Screen, language: Language) {
+        for (x, name, value, _) in self.values() {
+            screen.text(x, VALUES_Y, &format!("{}{value}", name.of(language)), Color::Black);
+        }
+    }
+
+    /// What changes the parameter that is shown at a pixel.
+    pub(super) fn value_shown_at(&self, (x, y): (i32, i32)) -> Option<Action> {
+        let hit = |left: i32| Area::of_line((left, VALUES_Y), VALUE_LETTERS).holds(x, y);
+        self.values().into_iter().find(|(left, ..)| hit(*left)).map(|(.., action)| action)
     }
 
     /// The control point at a pixel, the one nearest to the viewer; `None` while the surface replaces the net.

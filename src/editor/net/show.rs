@@ -58,7 +58,7 @@ impl Picture for Shown {
     fn draw(&self, screen: &mut Screen, language: Language) {
         screen.clear(Color::Black);
         draw_grid(screen, &self.grid, self.viewer.look, (self.display, Fill::Plain), Color::White);
-        draw_legend(screen, language);
+        draw_legend(screen, words::ESC_ENDS, language);
         self.display.draw_legend(screen, language);
     }
 

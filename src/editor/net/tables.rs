@@ -14,9 +14,10 @@ pub(super) enum Action {
     ChangeAt(Index),
     Surface,
     Result,
-    Bias,
-    Tension,
-    K0,
+    /// A parameter, with its direction if that is chosen already: u (0) or v (1).
+    Bias(Option<usize>),
+    Tension(Option<usize>),
+    K0(Option<usize>),
     Quit,
     Follow,
     Border,
@@ -43,11 +44,14 @@ const RESULT: Row = Command::button(
 );
 const LEAVE: Row = Command::button(Button::new(550, 38, words::NET_QUIT), QUIT, Action::Quit);
 const SHAPES: KeyHelp = (Words("A C", "A C"), words::HELP_SHAPES);
-const BIAS: Row = Command::button(Button::new(550, 4, words::BIAS_BUTTON), SHAPES, Action::Bias);
+const BIAS: Row = Command::button(Button::new(550, 4, words::BIAS_BUTTON), SHAPES, Action::Bias(None));
 const TENSION: Row =
-    Command::button(Button::new(550, 21, words::TENSION_BUTTON), SHAPES, Action::Tension).untold();
-const K0: Row =
-    Command::button(Button::new(550, 21, words::K0_BUTTON), (Words("C", "C"), words::HELP_K0), Action::K0);
+    Command::button(Button::new(550, 21, words::TENSION_BUTTON), SHAPES, Action::Tension(None)).untold();
+const K0: Row = Command::button(
+    Button::new(550, 21, words::K0_BUTTON),
+    (Words("C", "C"), words::HELP_K0),
+    Action::K0(None),
+);
 const DRAG: Row = Command::told((Words("egér", "mouse"), words::HELP_NET_DRAG));
 const TURN: [Row; 4] =
     [Command::told(TURN_DRAG), Command::told(TURN_KEYS), Command::told(ZOOM), Command::told(HOME)];
