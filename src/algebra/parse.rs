@@ -1,7 +1,7 @@
 //! Formulas from text.
 //!
-//! A formula is made of numbers (`12`, `0.5`, `1.5e-3`), variables, `+ - * / ^` and parentheses. The sign `-` before a power
-//! belongs to the whole power: -x^2 is -(x^2). Exponents are whole numbers.
+//! A formula is made of numbers (`12`, `0.5`, `1.5e-3`), variables, `+ - * / ^` and parentheses. The sign `-`
+//! before a power belongs to the whole power: -x^2 is -(x^2). Exponents are whole numbers.
 
 use super::AlgebraError;
 use super::polynomial::Polynomial;

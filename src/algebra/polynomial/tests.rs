@@ -89,6 +89,45 @@ fn square_of_a_complex_polynomial_has_polynomial_speed() {
     assert!(Complex::<Fraction>::one().over(&i).is_ok());
 }
 
+/// The rational form of a patch with Pythagorean normals: with p, q, r bicubic, the point of weight J (1 + rho)
+/// satisfies n·x = h, n_u·x = h_u and n_v·x = h_v exactly, in degree (11, 11). Z is the determinant of (p, q, r)
+/// and its derivatives, whose highest coefficients cancel: of degree (7, 7) only.
+#[test]
+fn patches_with_rational_normals_have_degree_eleven() {
+    let (u, v) = (var("u"), var("v"));
+    let p = exact("u + u^3*v^2/2 - v^3*u^2/3 + u^3*v^3 - v");
+    let q = exact("v - u*v/4 + u^2*v^3 + 2*u^3 - u^3*v^3/5");
+    let r = exact("1 + u*v - u^3*v/2 + 3*u*v^3 + u^3*v^3/7 + u^2");
+    let times = |a: &Exact, b: &Exact| a.times(b).unwrap();
+    let plus = |a: &Exact, b: &Exact| a.clone().plus(b).unwrap();
+    let minus = |a: &Exact, b: &Exact| a.clone().minus(b).unwrap();
+    let by = |a: &Exact, v: &Variable| a.derivative(v).unwrap();
+    let wedge = |a: &Exact, b: &Exact| minus(&times(&by(a, &u), &by(b, &v)), &times(&by(a, &v), &by(b, &u)));
+    let (jacobian, a, b) = (wedge(&p, &q), wedge(&r, &q), wedge(&p, &r));
+    let rho = plus(&times(&p, &p), &times(&q, &q));
+    let above = plus(&rho, &Exact::one());
+    let z = minus(&plus(&times(&p, &a), &times(&q, &b)), &times(&r, &jacobian)).multiple(2).unwrap();
+    let weight = times(&jacobian, &above);
+    let x = minus(&times(&a, &above), &times(&p, &z));
+    let y = minus(&times(&b, &above), &times(&q, &z));
+    for (part, degree) in [(&x, 11), (&y, 11), (&z, 7), (&weight, 11)] {
+        assert_eq!((part.degree(&u), part.degree(&v)), (Some(degree), Some(degree)));
+        let highest = PowerProduct::power_of(&u, 11).times(&PowerProduct::power_of(&v, 11)).unwrap();
+        assert_eq!(part.coefficient(&highest), None);
+    }
+    // n = (2p, 2q, rho - 1)/(1 + rho) and h = 2r/(1 + rho); (n·x - h) (1 + rho) and its derivatives.
+    let normal = [p.multiple(2).unwrap(), q.multiple(2).unwrap(), minus(&rho, &Exact::one())];
+    let support = r.multiple(2).unwrap();
+    let rest = |normal: [Exact; 3], support: &Exact| {
+        let sum = normal.iter().zip([&x, &y, &z]).fold(Exact::zero(), |sum, (n, x)| plus(&sum, &times(n, x)));
+        minus(&sum, &times(support, &weight))
+    };
+    assert!(rest(normal.clone(), &support).is_zero());
+    for variable in [&u, &v] {
+        assert!(rest(normal.each_ref().map(|n| by(n, variable)), &by(&support, variable)).is_zero());
+    }
+}
+
 #[test]
 fn too_much_is_refused() {
     let sum = exact("a + b + c + d + e + f");
