@@ -4,7 +4,7 @@
 //!
 //! Rooms stand on floors; a room imports only from floors below (see `ARCHITECTURE.md`):
 //!
-//! 1. [`screen`], [`geometry`], [`table`], [`puzzle`], [`pascal`]: values and algorithms without I/O;
+//! 1. [`screen`], [`geometry`], [`algebra`], [`table`], [`puzzle`], [`pascal`]: values and algorithms without I/O;
 //! 2. [`machine`], [`figure`], [`mod@file`]: what a program runs on, and the formats it reads and writes;
 //! 3. [`ui`], [`design`], [`display`], `disk`: the toolkit, what a document describes, and where it is shown and kept;
 //! 4. [`work`], [`cursor`], `textmode`: the life of a document, cursors, pages of text;
@@ -12,6 +12,7 @@
 //! 6. [`programs`]: the programs themselves;
 //! 7. `launch`: their start from a command line.
 
+pub mod algebra;
 pub mod cursor;
 pub mod design;
 #[cfg(feature = "native")]

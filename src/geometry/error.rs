@@ -118,6 +118,43 @@ pub enum GeometryError {
         /// How many there are.
         given: usize,
     },
+    /// A net of normals that does not fit the net of points.
+    NormalCount {
+        /// Rows and columns of the normals; a ragged net counts its first row.
+        given: [usize; 2],
+        /// Rows and columns of the points.
+        needed: [usize; 2],
+    },
+    /// A normal that is no unit vector within 1e-6.
+    NotUnit {
+        /// The row of the net, from 0.
+        row: usize,
+        /// The place in the row, from 0.
+        column: usize,
+        /// The length of the vector given.
+        length: f64,
+    },
+    /// A normal too near to +z for the method that does not turn the data.
+    NormalUp {
+        /// The row of the net, from 0.
+        row: usize,
+        /// The place in the row, from 0.
+        column: usize,
+    },
+    /// Normals that do not fit into one chart of the sphere.
+    NormalsTooWide,
+    /// All normals are the same.
+    NormalsEqual,
+    /// A patch whose normals do not cover an area of the sphere once.
+    Parabolic {
+        /// The patch along u and v, from 0.
+        patch: [usize; 2],
+    },
+    /// A patch whose rational form has no positive weights in pieces of reasonable number.
+    NoPositiveWeights {
+        /// The patch along u and v, from 0.
+        patch: [usize; 2],
+    },
     /// A net that cannot be refined without changing the surface.
     NotRefinable {
         /// The method's name.
@@ -189,6 +226,35 @@ impl fmt::Display for GeometryError {
             Self::OddMeridians { given } => write!(
                 f,
                 "{given} meridians, but this method joins each with the opposite one: their number must be even"
+            ),
+            Self::NormalCount { given: [rows, columns], needed: [n, m] } => write!(
+                f,
+                "the normals form a net of {rows} x {columns} and the points one of {n} x {m}; every point needs one normal"
+            ),
+            Self::NotUnit { row, column, length } => write!(
+                f,
+                "normal {column} of row {row} has the length {length}, but must be a unit vector (1 within 1e-6)"
+            ),
+            Self::NormalUp { row, column } => write!(
+                f,
+                "normal {column} of row {row} is within 26 degrees of +z, where the method as printed fails; \
+                 turn the data, or take the normalised method, which does"
+            ),
+            Self::NormalsTooWide => f.write_str(
+                "the normals point in too many directions for one surface: some direction is needed that all of them stay 26 degrees away from; \
+                 cut the net into parts",
+            ),
+            Self::NormalsEqual => f.write_str(
+                "all normals are the same, as those of a plane; normals are needed that turn along both directions of the net",
+            ),
+            Self::Parabolic { patch: [i, j] } => write!(
+                f,
+                "patch ({i}, {j}) is parabolic somewhere: its normals turn back or stay on a line; \
+                 data are needed that curve in both directions everywhere, unlike a plane, a cylinder or the crest of a torus"
+            ),
+            Self::NoPositiveWeights { patch: [i, j] } => write!(
+                f,
+                "the weights of patch ({i}, {j}) are not all positive in 64 x 64 pieces; a finer net of points and normals is needed there"
             ),
             Self::NotRefinable { method, reason } => {
                 write!(f, "a net of method {method} cannot be refined without changing the surface: {reason}")

@@ -6,8 +6,8 @@
 //! [`Weights`] fixed by the method, the ends and the number of points; weights times points are
 //! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
 //! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
-//! points are a [`Basis`]. Nothing here panics or answers
-//! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
+//! points are a [`Basis`]. Rational surfaces whose offsets are rational too are [`PnSurface`]. Nothing
+//! here panics or answers with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
 //! (`tests/geometry_methods.rs`, `tests/geometry_bezier.rs`), for 3 to 99 points and more.
@@ -55,6 +55,7 @@ mod jet;
 mod limits;
 mod method;
 mod param;
+mod pn;
 mod point;
 mod smooth;
 mod spline;
@@ -78,6 +79,10 @@ pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
 pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
 pub use param::{ParamCurve, Sample};
+pub use pn::{
+    Jacobian, PnData, PnMethod, PnNet, PnPlace, PnSurface, RadiusRange, RationalPatch, RationalSurface,
+    SafeDistances, Shell,
+};
 pub use point::{Point, cross, dot, norm};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,

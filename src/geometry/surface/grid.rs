@@ -27,8 +27,13 @@ impl Grid {
         closed: [bool; 2],
         point: impl Fn(usize, usize) -> Point<3>,
     ) -> Self {
-        let points = (0..rows).flat_map(|k| (0..columns).map(move |l| (k, l)));
-        Self::new(rows, columns, points.map(|(k, l)| point(k, l)).collect(), closed)
+        let points = indices([rows, columns]).map(|[k, l]| point(k, l)).collect();
+        Self::new(rows, columns, points, closed)
+    }
+
+    /// Row and column of every point, in the order of [`Grid::points`].
+    pub fn indices(&self) -> impl Iterator<Item = [usize; 2]> + use<> {
+        indices([self.rows, self.columns])
     }
 
     /// The number of lines of constant `u`; a closing line counts.
@@ -89,6 +94,11 @@ impl Grid {
     }
 }
 
+/// The indices of a grid of rows and columns, row by row.
+pub(in crate::geometry) fn indices([rows, columns]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
+    (0..rows).flat_map(move |k| (0..columns).map(move |l| [k, l]))
+}
+
 /// The least width of a triangle: the height over its longest side.
 #[must_use]
 pub fn triangle_width([a, b, c]: [Point<3>; 3]) -> f64 {
@@ -100,4 +110,18 @@ pub fn triangle_width([a, b, c]: [Point<3>; 3]) -> f64 {
     // Scaled first: the product of tiny sides would vanish.
     let [u, v, _] = sides.map(|side| side.map(|x| x / longest));
     norm(cross(u, v)) * longest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn indices_are_in_the_order_of_the_points() {
+        let grid = Grid::from_fn([3, 2], [false, false], |k, l| [k as f64, l as f64, 0.0]);
+        assert_eq!(grid.indices().count(), 6);
+        for ([k, l], point) in grid.indices().zip(grid.points()) {
+            assert_eq!((*point, grid.point(k, l)), ([k as f64, l as f64, 0.0], Some(*point)));
+        }
+    }
 }

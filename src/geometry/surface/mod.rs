@@ -21,10 +21,12 @@ mod tensor;
 mod weave;
 
 pub use bspline::{BSplineSurface, Rim};
+pub(super) use grid::indices;
 pub use grid::{Grid, triangle_width};
 pub use param::{ParamSurface, SurfaceSample};
 pub use patch::{Derivatives, Patch};
 pub use patches::Surface;
+pub(super) use patches::check_net;
 pub use refine::{RefineDirection, refine};
 pub use scheme::{Border, Scheme, Topology};
 pub use section::{Plane, section};

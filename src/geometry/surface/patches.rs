@@ -220,7 +220,11 @@ impl ParamSurface for Surface {
     }
 }
 
-fn check_net(net: &[Vec<Point<3>>]) -> Result<(), GeometryError> {
+/// The checks on every net of control points.
+///
+/// # Errors
+/// [`GeometryError::Ragged`] and those of [`check_points`].
+pub(in crate::geometry) fn check_net(net: &[Vec<Point<3>>]) -> Result<(), GeometryError> {
     let needed = net.first().map_or(0, Vec::len);
     for (row, points) in net.iter().enumerate() {
         if points.len() != needed {
