@@ -6,7 +6,7 @@
 //! [`Weights`] fixed by the method, the ends and the number of points; weights times points are
 //! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
 //! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
-//! points are a [`Basis`]. Nothing here panics or answers
+//! points are a [`Basis`]. Curves with exact lengths and offsets are in [`ph`]. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
@@ -54,6 +54,7 @@ mod jet;
 mod limits;
 mod method;
 mod param;
+pub mod ph;
 mod point;
 mod smooth;
 mod spline;
