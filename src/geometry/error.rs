@@ -162,6 +162,28 @@ pub enum GeometryError {
         /// Why, and what would be possible.
         reason: &'static str,
     },
+    /// Two successive points are the same, and the curve cannot stop between them.
+    EqualNeighbours {
+        /// The first point's number, from 1.
+        number: usize,
+        /// The second one's: the next, or 1 where a closed curve returns.
+        next: usize,
+    },
+    /// A tangent is zero and has no direction.
+    NoDirection {
+        /// The tangent's number, from 1.
+        number: usize,
+    },
+    /// No Pythagorean-hodograph cubic has these ends.
+    NoPhCubic {
+        /// The number of the point that the span begins at, from 1.
+        number: usize,
+    },
+    /// The equations of a Pythagorean-hodograph spline could not be solved.
+    NotSolved {
+        /// How large the equations' remainder still is, as a share of the longest chord.
+        remainder: f64,
+    },
     /// More samples than [`MAX_SAMPLES`](super::MAX_SAMPLES), or none.
     Samples {
         /// Steps asked for per span.
@@ -259,6 +281,22 @@ impl fmt::Display for GeometryError {
             Self::NotRefinable { method, reason } => {
                 write!(f, "a net of method {method} cannot be refined without changing the surface: {reason}")
             }
+            Self::EqualNeighbours { number, next } => {
+                write!(f, "points {number} and {next} are the same; successive points must differ")
+            }
+            Self::NoDirection { number } => {
+                write!(f, "tangent {number} is zero; it must have a direction")
+            }
+            Self::NoPhCubic { number } => write!(
+                f,
+                "no PH cubic leaves point {number} and reaches the next one with these tangents: PH cubics have no \
+                 inflection, so both tangents must point to the same side round the chord; PH quintics take any"
+            ),
+            Self::NotSolved { remainder } => write!(
+                f,
+                "the equations of the PH spline could not be solved (remainder {remainder:e}); add points where the \
+                 polygon turns sharply, or give tangents"
+            ),
             Self::Samples { per_span, most } => {
                 write!(f, "{per_span} steps per span asked for, but 1 to {most} can be given")
             }

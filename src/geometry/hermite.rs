@@ -78,7 +78,11 @@ pub(super) fn arcs_through<const D: usize>(
     starts.zip(ends).take(spans).map(arc).collect()
 }
 
-fn check_input<const D: usize>(closure: Closure, points: &[Point<D>]) -> Result<(), GeometryError> {
+/// The checks on points that a curve passes through.
+pub(super) fn check_input<const D: usize>(
+    closure: Closure,
+    points: &[Point<D>],
+) -> Result<(), GeometryError> {
     let needed = match closure {
         Closure::Open => 2,
         Closure::Closed => 3,

@@ -6,8 +6,9 @@
 //! [`Weights`] fixed by the method, the ends and the number of points; weights times points are
 //! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
 //! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
-//! points are a [`Basis`]. Rational surfaces whose offsets are rational too are [`PnSurface`]. Nothing
-//! here panics or answers with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
+//! points are a [`Basis`]. Curves with exact lengths and offsets are in [`ph`], rational surfaces whose offsets
+//! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`]. Nothing here panics or answers
+//! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
 //! (`tests/geometry_methods.rs`, `tests/geometry_bezier.rs`), for 3 to 99 points and more.
@@ -55,6 +56,7 @@ mod jet;
 mod limits;
 mod method;
 mod param;
+pub mod ph;
 mod pn;
 mod point;
 mod smooth;
