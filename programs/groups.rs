@@ -77,6 +77,18 @@ pub const RINGS: Group = Group {
     ),
 };
 
+/// The programs of later documents on geometric modelling.
+pub const THESIS: Group = Group {
+    folder: "TEZIS",
+    id: "tezis",
+    chapter: "T",
+    name: Words("Későbbi módszerek", "Later methods"),
+    about: Words(
+        "Görbék és felületek későbbi dolgozatok módszereivel: kiterjesztett Csebisev-terek.",
+        "Curves and surfaces by the methods of later theses: extended Chebyshev spaces.",
+    ),
+};
+
 /// Games and puzzles.
 pub const GAMES: Group = Group {
     folder: "JATEK",
@@ -102,12 +114,12 @@ pub const INSTALLER: Group = Group {
 };
 
 /// Every group in the order of the book.
-pub const GROUPS: [&Group; 8] =
-    [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &GAMES, &INSTALLER];
+pub const GROUPS: [&Group; 9] =
+    [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &GAMES, &INSTALLER];
 
 /// Every group in the order of the menu: it begins with what shows at once what it is.
-pub const MENU: [&Group; 8] =
-    [&PLANE_CURVES, &GAMES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &CURSORS, &INSTALLER];
+pub const MENU: [&Group; 9] =
+    [&PLANE_CURVES, &GAMES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &CURSORS, &INSTALLER];
 
 impl PartialEq for Group {
     /// Groups are told apart by their folders.

@@ -22,6 +22,7 @@ pub mod gr_kz_o;
 pub mod gr_kz_x;
 pub mod groups;
 pub mod gyongy_k;
+pub mod kc_ter;
 pub mod menu;
 mod puzzles;
 #[cfg(feature = "native")]
@@ -67,6 +68,7 @@ pub const ALL: &[Program] = &[
     zy_bspl::PROGRAM,
     zy_betsp::PROGRAM,
     zy_hspl::PROGRAM,
+    kc_ter::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,

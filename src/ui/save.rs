@@ -208,7 +208,7 @@ impl Desk<'_> {
     }
 
     /// A file's name with its folder, where that is told.
-    fn located(&self, name: &str) -> String {
+    pub(crate) fn located(&self, name: &str) -> String {
         self.machine.files().place().map_or_else(|| name.to_owned(), |folder| format!("{folder}/{name}"))
     }
 

@@ -49,7 +49,7 @@ struct Chooser {
 ///
 /// # Errors
 /// [`Stop`]: Esc, or the display is being closed.
-pub(super) async fn choose_file<W: Work>(state: &W, desk: &mut Desk<'_>) -> Asked<String> {
+pub(crate) async fn choose_file<W: Work>(state: &W, desk: &mut Desk<'_>) -> Asked<String> {
     let area = Area::new(PAGE.x1 + 150, PAGE.y2 - 22, PAGE.x1 + 330, PAGE.y2 - 9);
     let entry = Entry::new(area, (area.x1 + 8, area.y1 + 3), LONGEST, Accepts::Name);
     let endings: Vec<String> = state.extensions().iter().map(|it| format!(".{it}")).collect();

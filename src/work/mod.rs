@@ -7,6 +7,7 @@ mod history;
 mod life;
 mod rescue;
 
+pub(crate) use choose::choose_file;
 pub use files::{Files, dos_files, read_document, with_json, with_twin};
 pub use history::History;
 pub use life::{Next, Work, common_key, event, quit, run};

@@ -66,7 +66,7 @@ impl EcBasis {
         // What the walk let pass has a basis.
         let imprecise = EcError::Imprecise { length, error: 1.0 };
         let basis = Self::formal(space, interval)?.ok_or(imprecise)?;
-        match basis.precision <= PRECISION {
+        match basis.is_precise() {
             true => Ok(basis),
             false => Err(EcError::Imprecise { length, error: basis.precision }),
         }
@@ -126,6 +126,22 @@ impl EcBasis {
     #[must_use]
     pub fn precision(&self) -> f64 {
         self.precision
+    }
+
+    /// Whether the measured error is small enough for [`EcBasis::new`].
+    #[must_use]
+    pub fn is_precise(&self) -> bool {
+        self.precision <= PRECISION
+    }
+
+    /// The values at `s` of the canonical basis: function k begins as s^k, and its other derivatives at the start up to
+    /// order n vanish.
+    #[must_use]
+    pub fn canonical(&self, s: f64) -> Vec<f64> {
+        let radius = radius(&self.space) * self.h.value();
+        let rows = super::series::canonical(&polynomial(&self.space, self.h, false), radius);
+        let s = Dd::from(crate::geometry::param::clipped(s));
+        rows.iter().map(|row| row.iter().rev().fold(super::dd::ZERO, |sum, &c| sum * s + c).value()).collect()
     }
 
     /// Replaces `out` by the `order`-th derivatives of all functions at `s` in [0, 1], by `s`; order 3 at most, beyond

@@ -51,6 +51,12 @@ impl<U: Basis, V: Basis> Weave<U, V> {
         Ok(Self { u, v, net })
     }
 
+    /// What the points are blended by along u and along v.
+    #[must_use]
+    pub fn bases(&self) -> [&dyn Basis; 2] {
+        [&self.u, &self.v]
+    }
+
     /// The control points.
     #[must_use]
     pub fn net(&self) -> &[Vec<Point<3>>] {
