@@ -175,16 +175,17 @@ impl<C: Additive> Polynomial<C> {
             Some(value) => value.power(exponent),
             None => Err(AlgebraError::Unbound { variable: variable.name().to_string() }),
         };
-        self.combined(&X::one(), power, X::times, scaled)
+        self.combined(&X::one(), power, X::times, scaled, Y::plus)
     }
 
-    /// The sum of the coefficients times the products of powers, whatever powers and products are.
+    /// The sum of the coefficients times the products of powers, whatever powers, products and sums are.
     pub(super) fn combined<X: Clone, Y: Additive>(
         &self,
         one: &X,
         power: impl Fn(&Variable, u32) -> Result<X, AlgebraError>,
         times: impl Fn(&X, &X) -> Result<X, AlgebraError>,
         scaled: impl Fn(&C, &X) -> Result<Y, AlgebraError>,
+        plus: impl Fn(Y, &Y) -> Result<Y, AlgebraError>,
     ) -> Result<Y, AlgebraError> {
         let mut sum = Y::zero();
         for (powers, coefficient) in &self.terms {
@@ -196,7 +197,7 @@ impl<C: Additive> Polynomial<C> {
                     None => factor,
                 });
             }
-            sum = sum.plus(&scaled(coefficient, product.as_ref().unwrap_or(one))?)?;
+            sum = plus(sum, &scaled(coefficient, product.as_ref().unwrap_or(one))?)?;
         }
         Ok(sum)
     }
@@ -243,9 +244,8 @@ impl<C: Ring> Polynomial<C> {
             None => Ok(Self::term(C::one(), PowerProduct::power_of(variable, exponent))),
         };
         let times = |a: &Self, b: &Self| a.times_within(b, &work);
-        self.combined(&Self::one(), power, times, |coefficient, powers| {
-            powers.scaled_within(coefficient, &work)
-        })
+        let scaled = |coefficient: &C, powers: &Self| powers.scaled_within(coefficient, &work);
+        self.combined(&Self::one(), power, times, scaled, Self::plus)
     }
 
     /// The product with a number of the coefficients' ring.

@@ -140,7 +140,8 @@ impl<C: Field> Rational<C> {
                 &work,
             )
         };
-        let composed = |p: &Polynomial<C>| p.combined(&Self::one(), power, times, scaled);
+        let plus = |a: Self, b: &Self| a.plus_within(b, &work);
+        let composed = |p: &Polynomial<C>| p.combined(&Self::one(), power, times, scaled, plus);
         composed(&self.numerator)?.over_within(&composed(&self.denominator)?, &work)
     }
 
@@ -321,6 +322,13 @@ mod tests {
         assert_eq!(swapped.unwrap().to_string(), "y/(x + 1)");
         let composed = rational("(1 - t^2)/(1 + t^2)").substitute(&[(var("t"), rational("a/b"))]).unwrap();
         assert_eq!(composed, rational("(b^2 - a^2)/(a^2 + b^2)"));
+    }
+
+    /// All sums and products of one substitution are counted together.
+    #[test]
+    fn large_substitutions_are_refused() {
+        let large: Rational<f64> = "x - y/(a^99*(1 - a + z)^17 + y)/2".parse().unwrap();
+        assert_eq!(large.substitute(&[(var("x"), large.clone())]), Err(AlgebraError::TooLarge));
     }
 
     fn small() -> impl Strategy<Value = Rational<Fraction>> {
