@@ -114,7 +114,7 @@ fn pages_and_dialogs_look_as_they_did() {
             ("view", format!("{snail}key F3")),
             ("curve", "key B\nkey G\nkey V\nkey F".to_owned()),
             ("surface", format!("{snail}key Tab")),
-            ("point", "key B\nkey F\nclick 252 261\nkey 3\nkey Esc\nkey Tab\nkey V\nkey N".to_owned()),
+            ("point", "key B\nkey F\nclick 137 284".to_owned()),
             ("space", SPACE.to_owned()),
             ("coefficients", format!("{SPACE}{COEFFICIENTS}")),
         ] {

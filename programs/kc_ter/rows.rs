@@ -115,14 +115,14 @@ const CURVE: &[Row] = &[
     Row::Title(DIVIDE),
     Row::Value('G', Words("-hely u=", "-at u="), Value::At),
     Row::Actions(&[
-        ('D', Words("-darabol", "-divide"), Action::Divide),
-        ('C', Words("-egyenl.", "-equal"), Action::IntoEqual),
+        ('D', Words("-darab.", "-divide"), Action::Divide),
+        ('C', Words("-sávok", "-equal"), Action::IntoEqual),
     ]),
     Row::Title(Words("-- leírás", "-- description")),
     Row::Actions(&[('K', Words("-együtthatók", "-coefficients"), Action::Coefficients)]),
     Row::Actions(&[
         ('J', Words("-illeszt", "-join"), Action::Join),
-        ('N', Words("-interp.", "-interp."), Action::Interpolate),
+        ('N', Words("-interp", "-interp"), Action::Interpolate),
     ]),
 ];
 
@@ -143,11 +143,11 @@ const SURFACE: &[Row] = &[
     Row::Title(DIVIDE),
     Row::Value('G', Words("-hely", "-at"), Value::At),
     Row::Actions(&[
-        ('D', Words("-darabol", "-divide"), Action::Divide),
-        ('C', Words("-egyenl.", "-equal"), Action::IntoEqual),
+        ('D', Words("-darab.", "-divide"), Action::Divide),
+        ('C', Words("-sávok", "-equal"), Action::IntoEqual),
     ]),
     Row::Actions(&[
-        ('K', Words("-együtth.", "-coeffs"), Action::Coefficients),
+        ('K', Words("-együt.", "-coeffs"), Action::Coefficients),
         ('J', Words("-illeszt", "-join"), Action::Join),
     ]),
 ];
@@ -192,8 +192,8 @@ fn window_of(row: usize) -> Area {
 fn place(row: usize, at: usize, of: usize) -> Area {
     let [left, right] = match (at, of) {
         (_, 1) => [PANEL.x1, PANEL.x2],
-        (0, _) => [PANEL.x1, 562],
-        _ => [562, PANEL.x2],
+        (0, _) => [PANEL.x1, 564],
+        _ => [564, PANEL.x2],
     };
     Area::new(left, top(row) - 4, right, top(row) + 12)
 }
@@ -259,7 +259,7 @@ pub(super) fn draw(studio: &Studio, screen: &mut Screen, language: Language) {
                     letter_and_word(screen, (x, y), *letter, name.of(language));
                     if *action == Action::Elevate {
                         let (text, color) = studio.elevation_told();
-                        screen.text(x + 62, y, &text, color);
+                        screen.text(x + 70, y, &text, color);
                     }
                 }
             }
