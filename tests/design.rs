@@ -293,6 +293,11 @@ fn samples(shape: &Shape) -> String {
         Shape::Plane(curve) => format!("{:?}", curve.sample(7)),
         Shape::Space(curve) => format!("{:?}", curve.sample(7)),
         Shape::Surface(surface) => format!("{:?}", surface.sample(3)),
+        Shape::Parts(parts) => {
+            let curves: Vec<_> = parts.curves.iter().map(|curve| curve.sample(7)).collect();
+            let patches: Vec<_> = parts.patches.iter().map(|patch| patch.sample(3)).collect();
+            format!("{curves:?} {patches:?}")
+        }
     }
 }
 

@@ -277,7 +277,7 @@ pub(super) async fn edit(studio: &mut Studio, desk: &mut Desk<'_>) -> Asked<()> 
             Some(Key::PageDown) => table.move_by(page_step, 0),
             Some(Key::Enter) => table.open(None),
             Some(Key::Char(letter @ ('0'..='9' | '-' | '.' | '(' | 'p' | 's' | 'e'))) => {
-                table.open(Some(letter))
+                table.open(Some(letter));
             }
             _ => {}
         }

@@ -166,7 +166,7 @@ fn text_inside(screen: &mut Screen, area: Area, (x, y): (i32, i32), text: &str, 
 }
 
 /// The items whose control points are seen, the selected one last.
-fn with_handles<'s>(scene: &'s Scene, show: Show) -> impl Iterator<Item = (usize, &'s Item)> {
+fn with_handles(scene: &Scene, show: Show) -> impl Iterator<Item = (usize, &Item)> {
     let seen = move |&(at, item): &(usize, &Item)| !is_hidden(item) && has_polygon(item, show, at);
     let all = move || scene.items.iter().enumerate().filter(seen);
     all()

@@ -348,7 +348,7 @@ pub(super) fn short(value: f64) -> String {
         (0..6).rev().map(|digits| format!("{value:.digits$}")).find(|text| text.chars().count() <= SHOWN);
     // A number that is too small or too large for that.
     match fixed {
-        Some(text) if value == 0.0 || text.trim_matches(['0', '.', '-']) != "" => text,
+        Some(text) if value == 0.0 || !text.trim_matches(['0', '.', '-']).is_empty() => text,
         _ => (0..4)
             .rev()
             .map(|digits| format!("{value:.digits$e}"))
@@ -505,7 +505,7 @@ impl Studio {
                         Value::Color => style.colour = turned_color(style.colour, forward),
                         Value::FirstColor => style.first_colour = turned_color(style.first_colour, forward),
                         Value::SecondColor => {
-                            style.second_colour = turned_color(style.second_colour, forward)
+                            style.second_colour = turned_color(style.second_colour, forward);
                         }
                         Value::Scale => style.scale = scaled(style.scale, forward),
                         _ => {}
@@ -520,7 +520,7 @@ impl Studio {
                         Value::Fill => style.fill = turned(&Fill::ALL, style.fill, forward),
                         Value::Material => style.material = turned(&Material::ALL, style.material, forward),
                         Value::NormalColor => {
-                            style.normal_colour = turned_color(style.normal_colour, forward)
+                            style.normal_colour = turned_color(style.normal_colour, forward);
                         }
                         Value::LineColor => style.line_colour = turned_color(style.line_colour, forward),
                         Value::Scale => style.scale = scaled(style.scale, forward),

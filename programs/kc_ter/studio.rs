@@ -1236,7 +1236,7 @@ impl Studio {
                     self.divide(desk, direction, &[at]);
                 }
             }
-            Action::IntoEqual => self.into_equal(desk).await?,
+            Action::IntoEqual => self.divide_equally(desk).await?,
             Action::Coefficients => coefficients::edit(self, desk).await?,
             Action::Join => self.join(desk).await?,
             Action::Interpolate => self.interpolate(desk),
@@ -1281,7 +1281,7 @@ impl Studio {
     }
 
     /// A strip of equal parts: of an exact item over a freely typed interval, of another over its own.
-    async fn into_equal(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+    async fn divide_equally(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let (Some(at), Some(item)) = (self.selected, self.item().cloned()) else { return Ok(()) };
         let Some(coefficients) = coefficients_of(&item) else {
             let direction = self.ask_direction(desk).await?;
@@ -1387,7 +1387,7 @@ impl Studio {
         });
         match through {
             Ok(points) => {
-                self.change_item(Item::Curve(crate::file::ec::EcCurve { points, exact: None, ..curve }))
+                self.change_item(Item::Curve(crate::file::ec::EcCurve { points, exact: None, ..curve }));
             }
             Err(error) => desk.tell(texts::problem(&error), Stay::UntilRead),
         }

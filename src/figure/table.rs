@@ -121,22 +121,22 @@ mod tests {
 
     #[test]
     fn no_rows() {
-        let none = || std::iter::empty::<(usize, f64, [f64; 3])>();
-        assert_eq!(curve_csv(none()), "span,u,x,y,z\n");
-        assert_eq!(serde_json::from_str::<Value>(&curve_json(none())).unwrap(), Value::Array(Vec::new()));
+        let none = || std::iter::empty::<CurveRow<3>>();
+        assert_eq!(curve_csv(0, none()), "span,u,x,y,z\n");
+        assert_eq!(serde_json::from_str::<Value>(&curve_json(0, none())).unwrap(), Value::Array(Vec::new()));
     }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
         #[test]
         fn tables_read_back(span: usize, u in FINITE, point in prop::array::uniform3(FINITE)) {
-            let row = || std::iter::once((span, u, point));
-            let csv = curve_csv(row());
+            let row = || std::iter::once((span, u, vec![point]));
+            let csv = curve_csv(0, row());
             let line: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
             prop_assert_eq!(line[0].parse::<usize>().unwrap(), span);
             let numbers: Vec<f64> = line[1..].iter().map(|number| number.parse().unwrap()).collect();
             prop_assert_eq!(numbers, [u, point[0], point[1], point[2]]);
-            let json: Value = serde_json::from_str(&curve_json(row())).unwrap();
+            let json: Value = serde_json::from_str(&curve_json(0, row())).unwrap();
             prop_assert_eq!(json[0]["span"].as_u64(), Some(span as u64));
             let numbers = ["u", "x", "y", "z"].map(|name| json[0][name].as_f64().unwrap());
             prop_assert_eq!(numbers, [u, point[0], point[1], point[2]]);

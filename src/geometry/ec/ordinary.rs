@@ -27,10 +27,9 @@ fn taylor_of(root: &Root, at: f64, h: Dd, count: usize) -> Vec<Vec<Dd>> {
         if power > 0 {
             // Times (at + h s).
             for j in (0..count).rev() {
-                for part in 0..2 {
-                    let below = if j > 0 { wave[j - 1][part] } else { ZERO };
-                    wave[j][part] = wave[j][part] * at + below * h;
-                }
+                let below = if j > 0 { wave[j - 1] } else { [ZERO; 2] };
+                let here = wave[j];
+                wave[j] = std::array::from_fn(|part| here[part] * at + below[part] * h);
             }
         }
         for part in 0..if b == 0.0 { 1 } else { 2 } {

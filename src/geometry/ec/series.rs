@@ -195,9 +195,9 @@ impl Series {
         // Repeated division by s - t.
         for j in 0..dimension {
             for m in (j..terms - 1).rev() {
-                for d in 0..D {
-                    let above = rest[m + 1][d];
-                    rest[m][d] += above * t;
+                let above = rest[m + 1];
+                for (here, above) in rest[m].iter_mut().zip(above) {
+                    *here += above * t;
                 }
             }
         }
