@@ -5,11 +5,13 @@
 //! frames, multiple points (2.3.4 to 2.3.6), tangents (2.3.3), a measured curve with noise and with an error
 //! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
 //! Fourier curve (2.2) near `A.IP2`. `A.CSK` and `B.CSK` are two finished Csángó
-//! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`. The same bytes come
-//! out every time.
+//! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`, those of KC_TER in
+//! `make_samples/spaces.rs`. The same bytes come out every time.
 
 #[path = "make_samples/nets.rs"]
 mod nets;
+#[path = "make_samples/spaces.rs"]
+mod spaces;
 
 use grafika::editor::fourier::coefficients;
 use grafika::file::{Document, FileError, Format, PlanePoints, SpacePoints};
@@ -55,7 +57,8 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     ];
     let single = single.into_iter().map(|(name, bytes)| Ok((name, bytes?)));
     let nets = nets::samples()?.into_iter().map(Ok);
-    plane.chain(space).chain(cubes).chain(single).chain(nets).collect()
+    let spaces = spaces::samples()?.into_iter().map(Ok);
+    plane.chain(space).chain(cubes).chain(single).chain(nets).chain(spaces).collect()
 }
 
 /// A finished Csángó cube where the program builds it: the first filling that a search of this seed finds.

@@ -13,7 +13,7 @@ use tempfile::TempDir;
 const GRAFIKA: &str = env!("CARGO_BIN_EXE_grafika");
 
 /// Commands that write to standard output. `DIR` is a fresh folder.
-const TO_STDOUT: [&[&str]; 25] = [
+const TO_STDOUT: [&[&str]; 31] = [
     &["--help"],
     &["--version"],
     &["help"],
@@ -33,6 +33,12 @@ const TO_STDOUT: [&[&str]; 25] = [
     &["smooth", "Y.IP2", "-o", "-"],
     &["smooth", "Y.IP2", "-o", "DIR/y.csv"],
     &["solve", "abcd"],
+    &["basis", "AT2", "--interval", "0,1", "--per-span", "5000"],
+    &["basis", "T1", "--interval", "0,1", "--to", "json"],
+    &["critical", "AT2"],
+    &["elevate", "HELIX.KCG", "--root", "0"],
+    &["split", "HELIX.KCG", "--parts", "3"],
+    &["exact", "SNAIL.KCE", "--parts-u", "4", "--parts-v", "3"],
     &["config"],
     &["config", "palette"],
     &["config", "--path"],
@@ -42,7 +48,7 @@ const TO_STDOUT: [&[&str]; 25] = [
 ];
 
 /// Commands that write to the file `OUT`.
-const TO_FILE: [&[&str]; 15] = [
+const TO_FILE: [&[&str]; 19] = [
     &["sample", "A.IP2", "--method", "spline", "--to", "csv", "-o", "OUT"],
     &["sample", "A.ZMS", "--to", "json", "-o", "OUT"],
     &["render", "A.IP2", "--method", "spline", "--to", "svg", "-o", "OUT"],
@@ -53,6 +59,10 @@ const TO_FILE: [&[&str]; 15] = [
     &["render", "A.ZMS", "--to", "ply", "-o", "OUT"],
     &["render", "A.ZMS", "--to", "step", "-o", "OUT"],
     &["convert", "A.IP2", "OUT", "--to", "json"],
+    &["basis", "T1", "--interval", "0,1", "--to", "csv", "-o", "OUT"],
+    &["elevate", "HELIX.KCG", "--root", "0", "--to", "kcg", "-o", "OUT"],
+    &["split", "HELIX.KCG", "--at", "pi/3", "--to", "json", "-o", "OUT"],
+    &["exact", "SNAIL.KCE", "--parts", "auto", "--to", "kcj", "-o", "OUT"],
     &["convert", "A.IP2", "OUT", "--to", "ip2"],
     &["smooth", "Y.IP2", "--to", "csv", "-o", "OUT"],
     &["gb_2d_ip", "A.IP2", "--script", "shot.txt"],

@@ -101,12 +101,12 @@ const DIVIDE: Words = Words("-- osztás", "-- divide");
 
 const CURVE: &[Row] = &[
     Row::Value('P', Words("-poligon", "-polygon"), Value::Polygon),
-    Row::Value('F', Words("-1. der.", "-1st der."), Value::First),
-    Row::Value('M', Words("-2. der.", "-2nd der."), Value::Second),
+    Row::Value('F', Words("-1. der.", "-1st d."), Value::First),
+    Row::Value('M', Words("-2. der.", "-2nd d."), Value::Second),
     Row::Value('L', Words("-hossz", "-scale"), Value::Scale),
     Row::Value('S', Words("-szín", "-colour"), Value::Color),
-    Row::Value('E', Words("-1. szín", "-1st col."), Value::FirstColor),
-    Row::Value('A', Words("-2. szín", "-2nd col."), Value::SecondColor),
+    Row::Value('E', Words("-1. szín", "-1st c."), Value::FirstColor),
+    Row::Value('A', Words("-2. szín", "-2nd c."), Value::SecondColor),
     Row::Title(RAISE),
     Row::Value('R', Words("-valós", "-real"), Value::Real),
     Row::Value('I', Words("-képz.", "-imag."), Value::Imaginary),
@@ -121,7 +121,7 @@ const CURVE: &[Row] = &[
     Row::Title(Words("-- leírás", "-- description")),
     Row::Actions(&[('K', Words("-együtthatók", "-coefficients"), Action::Coefficients)]),
     Row::Actions(&[
-        ('J', Words("-illeszt", "-join"), Action::Join),
+        ('J', Words("-kötés", "-join"), Action::Join),
         ('N', Words("-interp", "-interp"), Action::Interpolate),
     ]),
 ];
@@ -148,7 +148,7 @@ const SURFACE: &[Row] = &[
     ]),
     Row::Actions(&[
         ('K', Words("-együt.", "-coeffs"), Action::Coefficients),
-        ('J', Words("-illeszt", "-join"), Action::Join),
+        ('J', Words("-kötés", "-join"), Action::Join),
     ]),
 ];
 
@@ -614,16 +614,8 @@ mod tests {
     #[test]
     fn numbers_are_shown_in_seven_letters() {
         assert_eq!([0.0, 25.5, -1.25, 0.25].map(short), ["0", "25.5", "-1.25", "0.25"]);
-        assert_eq!(
-            [std::f64::consts::FRAC_PI_4, -1e6, 1e-9].map(short),
-            ["0.78540", "-1000000", "1e-9"].map(|it| if it == "-1000000" {
-                "-1.0e6"
-            } else if it == "1e-9" {
-                "1.00e-9"
-            } else {
-                it
-            })
-        );
+        let shown = [std::f64::consts::FRAC_PI_4, -1e6, 1e-9].map(short);
+        assert_eq!(shown, ["0.78540", "-1.00e6", "1.00e-9"]);
         for value in [1.0 / 3.0, -123_456.789, 1e300, -1e-300, 12.434_999] {
             assert!(short(value).chars().count() <= SHOWN, "{}", short(value));
         }

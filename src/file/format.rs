@@ -161,7 +161,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Bil as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Kcj as usize + 1, Format::ALL.len());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `grafika elevate`, `split` and `exact`: other control points of the same curve or surface over extended Chebyshev
 //! spaces.
 
-use crate::source::{Source, is_stream, output_kind};
+use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use crate::space::written_interval;
 use clap::{Args, ValueEnum};
 use grafika::design::ec::{Bases, MOST_PARTS, equal_parts, patch_space};
@@ -24,13 +24,20 @@ struct Target {
     /// Where to write [default: JSON on standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    /// Format of what is written (json, kcg, kcj, ...), where no name says it
+    #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]
+    to: Option<FileKind>,
 }
 
 impl Target {
     fn write(&self, document: EcDocument) -> Result<(), Failure> {
         let document = Document::from(document);
         let output = self.output.as_deref().filter(|path| !is_stream(path));
-        let kind = output.map_or(Ok(FileKind::Json), |path| output_kind(path, None))?;
+        let kind = match (output, self.to) {
+            (_, Some(kind)) => kind,
+            (None, None) => FileKind::Json,
+            (Some(path), None) => output_kind(path, None)?,
+        };
         let content = document.encode(kind).map_err(|error| match output {
             Some(path) => Failure::work(format!("{}: {error}", path.display())),
             None => Failure::work(error),

@@ -76,6 +76,9 @@ pub(crate) struct BasisTable {
     /// Where to write; .csv or .json [default: CSV on standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    /// Format of what is written, csv or json, where no name says it
+    #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
+    to: Option<String>,
 }
 
 impl BasisTable {
@@ -92,7 +95,8 @@ impl BasisTable {
             false => self.functions(&basis)?,
         };
         drop(alive);
-        let json = match extension(self.output.as_deref()).as_deref() {
+        let said = self.to.as_ref().map(|said| said.to_lowercase());
+        let json = match said.or_else(|| extension(self.output.as_deref())).as_deref() {
             None | Some("csv") => false,
             Some("json") => true,
             Some(other) => {

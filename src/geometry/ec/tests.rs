@@ -120,7 +120,7 @@ fn what_decays_is_as_precise_as_what_grows() {
             let mirror = values(&up, order, 1.0 - s);
             let sign = if order % 2 == 1 { -1.0 } else { 1.0 };
             for (value, other) in values(&down, order, s).into_iter().zip(mirror.into_iter().rev()) {
-                assert_eq!(value, sign * other);
+                assert!((value - sign * other).abs() <= 1e-12 * (1.0 + other.abs()), "{value} {other}");
             }
         }
     }
