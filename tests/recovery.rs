@@ -80,6 +80,8 @@ fn kill_after(number: u64) -> Duration {
     terminal.wait_for("-new");
     terminal.send("u");
     terminal.wait_for("-change");
+    // The first arrow chooses the coefficient, the others change it.
+    terminal.send(UP);
     let life = Duration::from_millis(150 + 131 * number);
     let begun = Instant::now();
     let mut sent = Vec::new();
@@ -101,7 +103,7 @@ fn kill_after(number: u64) -> Duration {
         terminal.wait_for("unexpectedly");
         terminal.send("i");
         terminal.wait_for("-change");
-        terminal.send(UP);
+        (0..2).for_each(|_| terminal.send(UP));
         terminal.wait("the kept change", |_| scratch.radius() == 101.0 + found);
     } else {
         terminal.wait_for("-new");
@@ -128,7 +130,8 @@ fn a_closed_terminal_loses_nothing_and_a_running_session_is_not_offered() {
     terminal.wait_for("-new");
     terminal.send("u");
     terminal.wait_for("-change");
-    (0..5).for_each(|_| terminal.send(UP));
+    // The first chooses the coefficient.
+    (0..6).for_each(|_| terminal.send(UP));
     terminal.wait("the fifth change", |_| scratch.radius() == 105.0);
 
     let mut other = started(&scratch.0, &[]);

@@ -113,7 +113,8 @@ fn a_pause_gives_the_terminal_to_the_shell_and_fg_takes_it_again() {
         }
         // Keys reach it, and it ends well.
         terminal.send("u");
-        terminal.send(UP);
+        // The first arrow chooses the coefficient, the second changes it.
+        (0..2).for_each(|_| terminal.send(UP));
         terminal.send("\x03");
         terminal.wait_for("N-no");
         terminal.send("n");
@@ -132,7 +133,7 @@ fn a_terminal_that_goes_away_leaves_the_work_kept_and_nothing_spinning() {
     terminal.answer(PLAIN);
     terminal.wait_for("-change");
     terminal.send("u");
-    terminal.send(UP);
+    (0..2).for_each(|_| terminal.send(UP));
     let kept = || {
         let entries = std::fs::read_dir(folder.path().join("grafika/recovery"));
         let mut paths = entries.into_iter().flatten().flatten().map(|entry| entry.path());
