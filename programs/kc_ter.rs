@@ -2,9 +2,16 @@
 //! University) on the theory of Á. Róth. The mathematics is `grafika::geometry::ec`; here are the scene, its pages and
 //! its dialogs.
 
+mod actions;
+mod asking;
 mod coefficients;
+mod commands;
 mod edit;
 mod eye;
+mod files;
+mod lengths;
+mod model;
+mod mouse;
 mod paint;
 mod pointers;
 mod rows;
@@ -14,6 +21,7 @@ mod speed;
 mod status;
 mod studio;
 mod texts;
+mod values;
 
 use super::groups;
 use crate::file::{Document, Format};
@@ -33,7 +41,7 @@ const MANUAL: Manual = Manual {
          shows the space. Circles, spirals and snail shells are described exactly, by control points alone, without \
          weights.",
     ),
-    keys: studio::KEYS,
+    keys: commands::KEYS,
     lesson: &[],
 };
 

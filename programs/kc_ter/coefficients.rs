@@ -305,7 +305,7 @@ async fn carry_out(studio: &mut Studio, desk: &mut Desk<'_>, table: &mut Table, 
         }
         Do::Save => {
             let document = EcDocument::Coefficients(table.coefficients());
-            super::studio::store(studio, desk, document).await?;
+            super::files::store(studio, desk, document).await?;
         }
     }
     Ok(false)

@@ -1,6 +1,7 @@
 //! The dialog of a space: its roots and its interval, with the functions and the verdict on the interval beside them.
 
-use super::studio::{Studio, ask_key, whole};
+use super::asking::{ask_key, whole};
+use super::studio::Studio;
 use super::texts;
 use crate::file::ec::{EcDocument, Interval, Item, SpaceFile, values};
 use crate::geometry::Point;
@@ -469,7 +470,7 @@ async fn carry_out(
                     studio.kept_space = Some(file);
                     desk.tell(texts::KEPT, Stay::Briefly);
                 }
-                Answer::Second => super::studio::store(studio, desk, EcDocument::Space(file)).await?,
+                Answer::Second => super::files::store(studio, desk, EcDocument::Space(file)).await?,
             }
         }
         Do::Preset => {

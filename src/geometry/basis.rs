@@ -5,7 +5,7 @@
 
 use super::param::{ParamCurve, clipped, followed, measured, searched_box};
 use super::point::{add_scaled, check_points};
-use super::{BoundingBox, CubicBezier, GeometryError, Point, Weights};
+use super::{BoundingBox, Chebyshev, CubicBezier, GeometryError, Point, Weights};
 use std::fmt;
 use std::sync::Arc;
 
@@ -40,6 +40,12 @@ pub trait Basis: fmt::Debug {
         Some(first)
     }
 
+    /// The values of all points' weights in a span as Chebyshev series, where the basis has them. They serve many points
+    /// of a span at once; at its ends such a curve is at its first and last control point exactly.
+    fn chebyshev(&self, _span: usize) -> Option<&Chebyshev> {
+        None
+    }
+
     /// The same as exact cubic arcs, where the functions are cubic at most.
     fn cubic(&self) -> Option<&Weights> {
         None
@@ -68,6 +74,10 @@ macro_rules! references {
 
             fn values(&self, span: usize, u: f64, out: &mut Vec<f64>) -> Option<usize> {
                 (**self).values(span, u, out)
+            }
+
+            fn chebyshev(&self, span: usize) -> Option<&Chebyshev> {
+                (**self).chebyshev(span)
             }
 
             fn cubic(&self) -> Option<&Weights> {
@@ -214,6 +224,13 @@ impl<B: Basis, const D: usize> ParamCurve<D> for Blend<B, D> {
     fn sample_span(&self, span: usize, out: &mut [Point<D>]) {
         if let Some(arcs) = &self.arcs {
             return arcs.sample_span(span, out);
+        }
+        if let Some(functions) = self.basis.chebyshev(span) {
+            functions.blend(&self.points, out);
+            if let [start, .., end] = out {
+                (*start, *end) = (self.points[0], self.points[self.points.len() - 1]);
+            }
+            return;
         }
         let steps = out.len().saturating_sub(1).max(1) as f64;
         let mut values = Vec::new();

@@ -4,7 +4,7 @@ use super::critical::{CriticalLength, radius};
 use super::dd::{Dd, ONE};
 use super::series::{SHORTEST, Series, polynomial};
 use super::{EcError, Space};
-use crate::geometry::Basis;
+use crate::geometry::{Basis, Chebyshev};
 
 /// The limits of precision, each for the interval's length times a part of the roots.
 const DECAY: f64 = 24.0;
@@ -46,8 +46,8 @@ pub struct EcBasis {
     /// Of the space with opposite roots, where that is more precise: b_i(s) is its function n - i at 1 - s.
     pub(super) series: Series,
     pub(super) mirrored: bool,
-    /// Chebyshev coefficients of the functions of `series` and their derivatives.
-    tables: [Vec<Vec<f64>>; ORDERS],
+    /// The functions and their derivatives.
+    tables: [Chebyshev; ORDERS],
     precision: f64,
 }
 
@@ -95,9 +95,12 @@ impl EcBasis {
         if precision > PRECISION {
             precision = precision.min(DISTURBANCE * off(Series::disturbed(&own, radius), false));
         }
-        let tables = std::array::from_fn(|order| series.chebyshev(order));
-        let all = tables.iter().flatten().flatten();
-        if all.into_iter().any(|c: &f64| !c.is_finite()) {
+        let tables: [Chebyshev; ORDERS] = std::array::from_fn(|order| {
+            let table = Chebyshev::new(series.chebyshev(order));
+            let sign = if order % 2 == 1 { -1.0 } else { 1.0 };
+            if mirrored { table.mirrored(sign) } else { table }
+        });
+        if !tables.iter().all(Chebyshev::is_finite) {
             return Ok(None);
         }
         Ok(Some(Self { space: space.clone(), interval, h, series, mirrored, tables, precision }))
@@ -150,38 +153,27 @@ impl EcBasis {
         let count = self.space.dimension();
         out.clear();
         out.resize(count, 0.0);
-        let Some(rows) = self.tables.get(order) else { return };
-        let s = crate::geometry::param::clipped(s);
-        if order == 0 && (s == 0.0 || s == 1.0) {
-            let at = if s == 0.0 { 0 } else { count - 1 };
+        let Some(functions) = self.tables.get(order) else { return };
+        if order > 0 {
+            return functions.values(s, out);
+        }
+        if let Some(at) = self.at_end(s) {
             out[at] = 1.0;
             return;
         }
-        let x = if self.mirrored { 1.0 - 2.0 * s } else { 2.0 * s - 1.0 };
-        clenshaw(rows, x, out);
-        if self.mirrored {
-            out.reverse();
-            if order % 2 == 1 {
-                out.iter_mut().for_each(|value| *value = -*value);
-            }
-        }
+        functions.values(s, out);
+        // The sum is 1 but for the rounding of the series, which grows with the dimension.
+        let factor = 1.0 / out.iter().sum::<f64>();
+        out.iter_mut().for_each(|value| *value *= factor);
     }
-}
 
-/// The sums of Chebyshev series at `x`, all functions side by side.
-fn clenshaw(rows: &[Vec<f64>], x: f64, out: &mut [f64]) {
-    let Some((first, rest)) = rows.split_first() else { return };
-    let mut ahead = [0.0; super::MAX_DIMENSION];
-    // `out` is b_(j+1), `ahead` is b_(j+2).
-    for row in rest.iter().rev() {
-        for ((here, ahead), &a) in out.iter_mut().zip(&mut ahead).zip(row) {
-            let next = a + 2.0 * x * *here - *ahead;
-            *ahead = *here;
-            *here = next;
+    /// The function that is 1 at `s`, which is so at the two ends.
+    fn at_end(&self, s: f64) -> Option<usize> {
+        match crate::geometry::param::clipped(s) {
+            0.0 => Some(0),
+            1.0 => Some(self.space.dimension() - 1),
+            _ => None,
         }
-    }
-    for ((here, ahead), &a) in out.iter_mut().zip(&ahead).zip(first) {
-        *here = a + x * *here - ahead;
     }
 }
 
@@ -254,5 +246,9 @@ impl Basis for EcBasis {
         }
         self.derivatives(0, u, out);
         Some(0)
+    }
+
+    fn chebyshev(&self, span: usize) -> Option<&Chebyshev> {
+        self.tables.first().filter(|_| span == 0)
     }
 }
