@@ -6,8 +6,11 @@
 //! second.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use grafika::geometry::ec::{EcBasis, Space};
+use grafika::file::ec::{EcDocument, EcPatch, Interval, Item, PatchStyle, Scene};
+use grafika::geometry::ec::{EcBasis, Real, Space};
 use grafika::geometry::{Basis, Blend, ParamCurve, ParamSurface, Point, Weave};
+use grafika::machine::{Button, Event, Machine, Memory, Script, Session, Settings, play};
+use grafika::programs::kc_ter::PROGRAM;
 use std::f64::consts::FRAC_PI_2;
 use std::hint::black_box;
 use std::time::Duration;
@@ -196,12 +199,54 @@ fn table(c: &mut Criterion) {
     }
 }
 
+/// One point of a surface of 200 x 200 points follows the mouse: events of KC_TER with their pictures.
+fn drag(c: &mut Criterion) {
+    let (_, roots, end) = SPACES[5];
+    let space: Space = roots.parse().expect("a space");
+    let interval: Interval = [Real::default(), Real::from(end)];
+    let middle = (space.dimension() / 2) as f64;
+    // The point in the middle of the net is the origin, which is seen in the middle of the picture.
+    let place = |k: usize| 20.0 * (k as f64 - middle);
+    let row = |k: usize| (0..space.dimension()).map(|l| [place(k), place(l), 0.0]).collect();
+    let patch = EcPatch {
+        space_u: space.clone(),
+        interval_u: interval.clone(),
+        space_v: space.clone(),
+        interval_v: interval,
+        net: (0..space.dimension()).map(row).collect(),
+        exact: None,
+        style: PatchStyle::default(),
+        name: None,
+    };
+    let mut scene = Scene::from(Item::Patch(patch));
+    scene.settings.mesh = [199, 199];
+    let start =
+        (PROGRAM.start)(Some(EcDocument::Scene(scene).into())).unwrap_or_else(|_| panic!("it starts"));
+    let machine = Machine::new(Box::new(Memory::default()), Settings::default());
+    let mut session = Session::start(machine, move |mut machine| async move { start(&mut machine).await });
+    let script = Script::parse("key Tab\nmove 252 261\npress left\n").expect("a right script");
+    play(&mut session, &script, &mut ()).expect("nothing is written");
+    let net = |session: &Session| session.model().expect("a model").expect("it is JSON");
+    let before = net(&session);
+    let mut x = 0;
+    let mut now = Duration::from_secs(1);
+    c.bench_function("a point of a surface of 200 x 200 points is dragged", |bencher| {
+        bencher.iter(|| {
+            x = (x + 7) % 60;
+            now += Duration::from_millis(16);
+            session.send(black_box(Event::Move(260 + x, 250)), now);
+        });
+    });
+    session.send(Event::Release(Button::Left), now);
+    assert_ne!(before, net(&session), "no point was dragged");
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default()
         .sample_size(10)
         .warm_up_time(Duration::from_millis(200))
         .measurement_time(Duration::from_millis(600));
-    targets = table
+    targets = table, drag
 }
 criterion_main!(benches);

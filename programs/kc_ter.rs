@@ -14,6 +14,7 @@ mod model;
 mod mouse;
 mod paint;
 mod pointers;
+mod preview;
 mod rows;
 mod shape;
 mod space;

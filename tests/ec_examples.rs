@@ -511,3 +511,18 @@ fn bad_input_says_what_would_be_right() {
     assert!(curve.is_err());
     assert!(EcBasis::new(&space("0,i"), [0.0, 1.0]).unwrap().points() == 3);
 }
+
+#[test]
+fn control_points_become_a_curve_of_polynomials_and_go_back() {
+    use grafika::file::{FileKind, convert};
+    let [csv, kcg] = ["csv", "kcg"].map(|it| FileKind::from_extension(it).unwrap());
+    let text = "x,y,z\n0,0,0\n1,2,0.5\n3,1,-1\n";
+    let curve = convert(text.as_bytes(), csv, kcg).unwrap();
+    let Document::Ec(document) = Document::decode(kcg, &curve).unwrap() else { panic!("a curve") };
+    let EcDocument::Curve(arc) = &*document else { panic!("a curve") };
+    assert_eq!((&arc.space, values(&arc.interval)), (&space("0^3"), [0.0, 1.0]));
+    assert_eq!(String::from_utf8(convert(&curve, kcg, csv).unwrap()).unwrap(), text);
+    // More points than the largest space has functions stay what they are, and are refused.
+    let many: String = (0..32).map(|k| format!("{k},0,0\n")).collect();
+    assert!(convert(many.as_bytes(), csv, kcg).is_err());
+}

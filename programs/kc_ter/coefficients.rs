@@ -1,5 +1,6 @@
 //! The dialog of an exact description: a table of coefficients, a column for every function or product.
 
+use super::preview::Preview;
 use super::studio::Studio;
 use super::texts;
 use crate::file::ec::{Coefficients, CurveTerm, EcDocument, Item, PatchTerm, curve_formulas, patch_formulas};
@@ -16,6 +17,8 @@ use crate::ui::{
 const SEEN: usize = 6;
 const TABLE: Area = Area::new(28, 64, 612, 160);
 const COLUMN: i32 = 92;
+/// The lower edge of the preview.
+const BOTTOM: i32 = 465;
 /// Letters in a cell.
 const LETTERS: usize = 10;
 
@@ -51,6 +54,7 @@ struct Table {
     chosen: [usize; 2],
     /// The cell that is being typed.
     entry: Option<Entry>,
+    preview: Preview,
 }
 
 impl Table {
@@ -75,7 +79,14 @@ impl Table {
             }
         };
         let cells = vec![Default::default(); columns.len()];
-        let mut table = Table { item: item.clone(), columns, cells, chosen: [0; 2], entry: None };
+        let mut table = Table {
+            item: item.clone(),
+            columns,
+            cells,
+            chosen: [0; 2],
+            entry: None,
+            preview: Preview::default(),
+        };
         match item {
             Item::Curve(curve) => {
                 curve.exact.iter().flatten().for_each(|term| table.put([term.function, 0], &term.value));
@@ -137,7 +148,7 @@ impl Table {
 
     fn cell_area(&self, [column, row]: [usize; 2]) -> Area {
         let x = TABLE.x1 + 24 + COLUMN * i32::try_from(column - self.first()).unwrap_or(0);
-        let y = TABLE.y1 + 24 + 22 * i32::try_from(row).unwrap_or(0);
+        let y = TABLE.y1 + 32 + 21 * i32::try_from(row).unwrap_or(0);
         Area::new(x, y, x + COLUMN - 6, y + 14)
     }
 
@@ -206,8 +217,10 @@ impl Picture for Table {
         panel(screen, x1, y1, x2 - x1, y2 - y1);
         let first = self.first();
         for column in first..(first + SEEN).min(self.columns.len()) {
-            let name: String = self.columns[column].0.chars().take(LETTERS).collect();
-            screen.text(self.cell_area([column, 0]).x1, y1 + 8, &name, Color::Black);
+            let name = crate::figure::wrap(&self.columns[column].0, LETTERS);
+            for (y, line) in [y1 + 8, y1 + 19].into_iter().zip(name) {
+                screen.text(self.cell_area([column, 0]).x1, y, &line, Color::Black);
+            }
             for row in 0..3 {
                 let area = self.cell_area([column, row]);
                 window(screen, area);
@@ -217,10 +230,12 @@ impl Picture for Table {
             }
         }
         for (row, axis) in (0..).zip(["x", "y", "z"]) {
-            screen.text(x1 + 8, y1 + 28 + 22 * row, axis, Color::Black);
+            screen.text(x1 + 8, y1 + 36 + 21 * row, axis, Color::Black);
         }
         let last = (first + SEEN).min(self.columns.len());
-        let seen = format!("{} {}-{last} / {}", texts::COLUMNS.of(language), first + 1, self.columns.len());
+        let count = self.columns.len();
+        let chosen = self.columns.get(self.chosen[0]).map_or("", |(name, _)| name);
+        let seen = format!("{} {}-{last} / {count}:  {chosen}", texts::COLUMNS.of(language), first + 1);
         screen.text(x1, y2 + 12, &seen, Color::Black);
         let formulas = match (&self.item, self.coefficients()) {
             (Item::Curve(curve), Coefficients::Curve { coefficients, .. }) => {
@@ -232,9 +247,12 @@ impl Picture for Table {
             _ => Vec::new(),
         };
         let lines = formulas.iter().flat_map(|formula| crate::figure::wrap(formula, 72));
-        for (row, text) in (0..).zip(lines.take(22)) {
-            screen.text(x1, y2 + 34 + 12 * row, &text, Color::Black);
+        let mut y = y2 + 34;
+        for text in lines.take(22) {
+            screen.text(x1, y, &text, Color::Black);
+            y += 12;
         }
+        self.preview.draw(screen, Area::new(x1, y + 8, x2, BOTTOM));
         if let Some(entry) = &self.entry {
             entry.draw(screen);
         }
@@ -248,7 +266,13 @@ impl Picture for Table {
 pub(super) async fn edit(studio: &mut Studio, desk: &mut Desk<'_>) -> Asked<()> {
     let Some(item) = studio.item().cloned() else { return Ok(()) };
     let mut table = Table::new(&item);
+    let mut seen = None;
     loop {
+        if seen.as_ref() != Some(&table.cells) {
+            let new = studio.bases.described(&table.coefficients()).ok();
+            table.preview = Preview::new(&item, new, studio.eye, &mut studio.bases);
+            seen = Some(table.cells.clone());
+        }
         let tick = desk.event(&table).await?;
         if table.entry.is_some() {
             if let Some(key) = tick.key() {

@@ -121,16 +121,22 @@ impl Eye {
 
     /// The same direction with all of a box in the field.
     pub(super) fn fitted(self, bounds: BoundingBox<3>) -> Eye {
+        self.fitted_in(bounds, FIELD)
+    }
+
+    /// The same direction with all of a box in an area of the screen.
+    pub(super) fn fitted_in(self, bounds: BoundingBox<3>, area: Area) -> Eye {
         let corners = (0..8).map(|k| -> Point<3> {
             std::array::from_fn(|d| if k >> d & 1 == 0 { bounds.min[d] } else { bounds.max[d] })
         });
         let places: Vec<Point<2>> = corners.map(|corner| self.view.place(corner)).collect();
         let Some(flat) = BoundingBox::of_points(&places) else { return self };
         let [width, height] = flat.size();
-        let (across, down) = (f64::from(FIELD.x2 - FIELD.x1), f64::from(FIELD.y2 - FIELD.y1));
+        let (across, down) = (f64::from(area.x2 - area.x1), f64::from(area.y2 - area.y1));
         let zoom = FILLED * (across / width.max(1e-9)).min(down / height.max(1e-9));
         let middle: Point<3> = std::array::from_fn(|d| bounds.min[d] / 2.0 + bounds.max[d] / 2.0);
-        Eye { zoom: zoom.clamp(ZOOM[0], ZOOM[1]), ..self }.centred(middle)
+        let centred = Eye { zoom: zoom.clamp(ZOOM[0], ZOOM[1]), ..self }.centred(middle);
+        centred.moved_by(((area.x1 + area.x2) / 2 - CENTRE.0, (area.y1 + area.y2) / 2 - CENTRE.1))
     }
 
     /// The eye after an arrow key.

@@ -1,5 +1,6 @@
 //! From one kind of file to another.
 
+use super::ec::EcCurve;
 use super::table::{decoded, decoded_table};
 use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints, TableOptions};
 
@@ -81,7 +82,7 @@ impl Document {
 
     /// The same content for another DOS format: points of the plane into space with z = 0 and back where
     /// z is 0 everywhere, points with tangents without them, nets of one family under each other's
-    /// names. What cannot become such a document stays as it is; [`Document::write`] will say so.
+    /// names, control points as those of polynomials on [0, 1] (`.KCG`). What cannot become such a document stays as it is; [`Document::write`] will say so.
     #[must_use]
     pub fn adapted(self, format: Format) -> Self {
         match (self, format) {
@@ -97,6 +98,12 @@ impl Document {
             }
             (Self::PlanePoints(points), Format::Ip2) => {
                 Self::PlanePoints(PlanePoints { tangents: None, ..points })
+            }
+            (Self::PlanePoints(PlanePoints { points, .. }), Format::Kcg) if EcCurve::holds(points.len()) => {
+                EcCurve::of_points(points.into_iter().map(|[x, y]| [x, y, 0.0]).collect()).into()
+            }
+            (Self::SpacePoints(SpacePoints { points, .. }), Format::Kcg) if EcCurve::holds(points.len()) => {
+                EcCurve::of_points(points).into()
             }
             (Self::Net(net), _) => Self::Net(match NetKind::of(format) {
                 Some(kind) if net.kind.goes_into(kind) => Net { kind, ..net },

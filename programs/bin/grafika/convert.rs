@@ -3,6 +3,7 @@
 use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use clap::Args;
 use grafika::design::{self, NetDesign};
+use grafika::file::ec::EcDocument;
 use grafika::file::{Document, FileKind, Format, Method, PlanePoints};
 use grafika::launch::{Failure, Opened, say, write_output};
 use grafika::machine::Language;
@@ -86,6 +87,13 @@ fn extras(document: &Document) -> Vec<String> {
     if let Document::PlanePoints(plane) = document {
         extras.extend(plane.tangents.iter().map(|_| "tangents".to_owned()));
         extras.extend(plane.joints.iter().map(|_| "joints".to_owned()));
+    }
+    if let Document::Ec(document) = document
+        && let EcDocument::Curve(curve) = &**document
+    {
+        extras.extend(["roots", "interval"].map(str::to_owned));
+        extras.extend(curve.exact.iter().map(|_| "exact".to_owned()));
+        extras.extend(curve.name.iter().map(|_| "name".to_owned()));
     }
     extras
 }

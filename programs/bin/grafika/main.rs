@@ -44,6 +44,7 @@ const EXAMPLES: &str = "Examples:
 
 const INFO_EXAMPLES: &str = "Examples:
   grafika info A.IP2
+  grafika info \"0^3,i^2,2i\"
   grafika info measured.csv --columns time,volts
   cat a.json | grafika info - --from json";
 
@@ -59,7 +60,7 @@ enum Command {
     /// Open a data file with its program; without a file, the menu
     #[command(after_help = "Examples:\n  grafika open A.ZMS\n  grafika open a.json --lang en")]
     Open(Options),
-    /// Tell what a data file holds
+    /// Tell what a data file holds, or what an extended Chebyshev space is
     #[command(after_help = INFO_EXAMPLES)]
     Info(Source),
     /// Write points of a curve or a surface as CSV or JSON
@@ -112,8 +113,11 @@ fn run() -> Result<(), Failure> {
         Some(Command::List) => write_output(None, list().as_bytes()),
         Some(Command::Open(options)) => open_with_program(&options),
         Some(Command::Info(source)) => {
-            let opened = source.open()?;
-            let lines = opened.document.describe();
+            let document = match space::written(&source)? {
+                Some(space) => space.into(),
+                None => source.open()?.document,
+            };
+            let lines = document.describe();
             let text: String = lines.iter().map(|line| format!("{}\n", visible(line))).collect();
             write_output(None, text.as_bytes())
         }

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub(crate) struct Source {
     /// Data file, built-in sample, or - for standard input
-    file: PathBuf,
+    pub(crate) file: PathBuf,
     #[command(flatten)]
-    from: InputFormat,
+    pub(crate) from: InputFormat,
     #[command(flatten)]
     table: TableArgs,
 }

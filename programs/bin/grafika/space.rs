@@ -1,12 +1,12 @@
 //! `grafika basis` and `grafika critical`: the functions of an extended Chebyshev space and how long its intervals may be.
 
 use crate::sample::extension;
-use crate::source::is_stream;
+use crate::source::{Source, is_stream};
 use clap::Args;
 use grafika::file::Document;
-use grafika::file::ec::{EcDocument, values};
+use grafika::file::ec::{EcDocument, SpaceFile, values};
 use grafika::geometry::ec::{CriticalLength, EcBasis, EcError, Real, Space};
-use grafika::launch::{Failure, Opened, open_as, progress, write_output};
+use grafika::launch::{Failure, Opened, input_kind, open_as, progress, write_output};
 use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -49,6 +49,20 @@ impl SpaceArg {
             }
             _ => Err(Failure::work(format!("{name}: this file holds more than one space; give the roots"))),
         }
+    }
+}
+
+/// The space that is written in place of a file, as in `0,i` or `T3`; `None` where a file is meant.
+pub(crate) fn written(source: &Source) -> Result<Option<EcDocument>, Failure> {
+    let text = source.file.to_string_lossy();
+    if source.from.from.is_some() || input_kind(&source.file).is_some() || source.file.exists() {
+        return Ok(None);
+    }
+    match text.parse::<Space>() {
+        Ok(space) => Ok(Some(EcDocument::Space(SpaceFile { space, interval: None, name: None }))),
+        // A list of roots has 0 among them, and is no name that a file would have.
+        Err(error) if text.starts_with('0') || text.contains(',') => Err(Failure::work(error)),
+        Err(_) => Ok(None),
     }
 }
 

@@ -13,9 +13,9 @@ pub use describe::{curve_formulas, patch_formulas};
 pub use scene::{Border, Corner, Item, Join, Scene, SceneSettings, SceneView};
 pub use style::{CurveStyle, Fill, Light, Material, PatchStyle};
 
-use super::{FileError, Format};
+use super::{Document, FileError, Format};
 use crate::geometry::Point;
-use crate::geometry::ec::{EcError, Real, Space};
+use crate::geometry::ec::{EcError, MAX_DIMENSION, Real, Space};
 use serde::{Deserialize, Serialize};
 
 /// What a file of KC_TER holds.
@@ -72,6 +72,31 @@ pub struct EcCurve {
     /// What it is called.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
+}
+
+impl EcCurve {
+    /// Whether there is a space for so many control points.
+    pub(in crate::file) fn holds(points: usize) -> bool {
+        (2..=MAX_DIMENSION).contains(&points)
+    }
+
+    /// The Bézier curve of these control points: polynomials on [0, 1].
+    pub(in crate::file) fn of_points(points: Vec<Point<3>>) -> Self {
+        Self {
+            space: Space::polynomials(points.len().saturating_sub(1)),
+            interval: [0.0, 1.0].map(Real::from),
+            points,
+            exact: None,
+            style: CurveStyle::default(),
+            name: None,
+        }
+    }
+}
+
+impl From<EcCurve> for Document {
+    fn from(curve: EcCurve) -> Self {
+        EcDocument::Curve(curve).into()
+    }
 }
 
 /// One patch of a surface.

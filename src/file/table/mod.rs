@@ -22,6 +22,7 @@ pub(super) use columns::{Unchosen, by_axes, by_numbers, by_option};
 pub use options::{Columns, Decimal, Delimiter, TableOptions};
 pub(super) use text::{decoded, decoded_table};
 
+use super::ec::EcDocument;
 use super::{Document, FileError, PlanePoints, SpacePoints, check};
 use read::{Refusal, Stage, Table};
 use text::Lines;
@@ -106,7 +107,8 @@ impl Document {
         }
     }
 
-    /// The control points as CSV text; reading it back gives the same numbers.
+    /// The control points as CSV text; reading it back gives the same numbers. Those of a curve over an extended
+    /// Chebyshev space are written without the space.
     ///
     /// # Errors
     /// [`FileError::Misfit`] for other documents than control points, and for tangents, joints and settings,
@@ -122,6 +124,10 @@ impl Document {
             Self::SpacePoints(SpacePoints { points, settings }) if settings.is_empty() => {
                 Ok(written(SPACE_HEADER, points))
             }
+            Self::Ec(document) => match &**document {
+                EcDocument::Curve(curve) => Ok(written(SPACE_HEADER, &curve.points)),
+                _ => Err(misfit(self.format().english())),
+            },
             Self::PlanePoints(PlanePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
             Self::PlanePoints(PlanePoints { joints: Some(_), .. }) => Err(misfit("shapes of joints")),
             Self::PlanePoints(_) | Self::SpacePoints(_) => Err(misfit("settings")),
