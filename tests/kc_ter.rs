@@ -133,3 +133,10 @@ fn recordings_replay() {
 fn random_events_do_no_harm() {
     random::storm(PROGRAM, random::events());
 }
+
+#[test]
+fn random_events_in_the_dialogs_do_no_harm() {
+    for dialog in [SPACE.to_owned(), format!("{SPACE}{COEFFICIENTS}")] {
+        random::storm_after(PROGRAM, &dialog, 60, random::events());
+    }
+}

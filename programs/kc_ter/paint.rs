@@ -174,9 +174,13 @@ fn with_handles(scene: &Scene, show: Show) -> impl Iterator<Item = (usize, &Item
         .chain(all().filter(move |(at, _)| show.selected == Some(*at)))
 }
 
-/// The radius of control points: with few of them their numbers are seen.
+/// The radius of control points: those of curves have their numbers in them, if they are few.
 pub(super) fn radius(scene: &Scene, show: Show) -> i32 {
-    let count: usize = with_handles(scene, show).map(|(_, item)| edit::control_points(item).len()).sum();
+    let count = |item: &Item| match item {
+        Item::Curve(curve) => curve.points.len(),
+        Item::Patch(_) => MOST_NUMBERS + 1,
+    };
+    let count: usize = with_handles(scene, show).map(|(_, item)| count(item)).sum();
     RADII[usize::from(count > MOST_NUMBERS)]
 }
 
@@ -197,15 +201,13 @@ fn handles(screen: &mut Screen, area: Area, eye: Eye, scene: &Scene, show: Show)
             }
             let fill = if chosen { Color::Red } else { Color::Blue };
             screen.disc(x, y, r, fill, Color::White);
-            if !numbers {
-                continue;
-            }
             match item {
-                Item::Curve(_) => number(screen, (x, y), index[0]),
-                Item::Patch(_) => {
+                Item::Curve(_) if numbers => number(screen, (x, y), index[0]),
+                Item::Patch(_) if chosen => {
                     let text = format!("{},{}", index[0], index[1]);
-                    screen.text(x - 11, y - 3, &text, Color::White);
+                    text_inside(screen, area, (x + r + 4, y - 3), &text, Color::White);
                 }
+                _ => {}
             }
         }
     }

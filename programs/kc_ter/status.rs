@@ -47,20 +47,24 @@ fn told(studio: &Studio, language: Language) -> String {
         Item::Curve(curve) => vec![(&curve.space, &curve.interval)],
         Item::Patch(patch) => vec![patch_space(patch, 0), patch_space(patch, 1)],
     };
-    let parts: Vec<String> = spaces
-        .into_iter()
-        .map(|(space, interval)| {
+    let line = |whole: bool| {
+        let parts = spaces.iter().map(|(space, interval)| {
             let length = short(interval[1].value() - interval[0].value());
+            let name = if whole { "l' = " } else { "" };
             let critical = match studio.critical(space) {
-                Some(critical) if critical.is_finite() => format!(" < l' = {critical:.4}"),
+                Some(critical) if critical.is_finite() => format!(" < {name}{critical:.4}"),
                 Some(_) => String::new(),
-                None => " < l' = ...".to_owned(),
+                None => format!(" < {name}..."),
             };
-            format!("{{{space}}} h = {length}{critical}")
-        })
-        .collect();
-    let exact = if edit::is_exact(item) { texts::EXACT.of(language) } else { "" };
-    format!("{}: {}  {exact}", number + 1, parts.join(" x "))
+            match whole {
+                true => format!("{{{space}}} h = {length}{critical}"),
+                false => format!("dim {}, h = {length}{critical}", space.dimension()),
+            }
+        });
+        let exact = if edit::is_exact(item) { texts::EXACT.of(language) } else { "" };
+        format!("{}: {}  {exact}", number + 1, parts.collect::<Vec<_>>().join(" x "))
+    };
+    Some(line(true)).filter(|line| line.chars().count() <= LETTERS).unwrap_or_else(|| line(false))
 }
 
 fn first_row(studio: &Studio, list: Option<usize>) -> usize {

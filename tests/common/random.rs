@@ -111,26 +111,36 @@ pub(crate) fn events() -> usize {
 
 /// Sends random events to a program in either manner; it is started again whenever it ends.
 pub(crate) fn storm(program: Program, events: usize) {
-    [Manner::Original, Manner::Today].into_iter().for_each(|manner| storm_in(program, manner, events));
+    [Manner::Original, Manner::Today]
+        .into_iter()
+        .for_each(|manner| storm_in(program, manner, "", events, events));
 }
 
-fn storm_in(program: Program, manner: Manner, events: usize) {
+/// The same, and after so many events it starts anew with a script, which leads to a page that is soon left.
+pub(crate) fn storm_after(program: Program, script: &str, each: usize, events: usize) {
+    storm_in(program, Manner::Today, script, each, events);
+}
+
+fn storm_in(program: Program, manner: Manner, script: &str, each: usize, events: usize) {
     let settings = Settings { manner, ..Settings::default() };
-    let start = || session(program, Memory::default(), settings);
+    let script = Script::parse(script).expect("the script is right");
+    let start = || {
+        let mut running = session(program, Memory::default(), settings);
+        play(&mut running, &script, &mut Kept::default()).expect("the outlet takes all");
+        (running, Duration::ZERO)
+    };
     let mut dice = Dice::new(1997);
-    let mut running = start();
-    let mut now = Duration::ZERO;
+    let (mut running, mut now) = start();
     let begun = Instant::now();
-    for _ in 0..events {
+    for number in 1..=events {
         if dice.below(50) == 0 {
             now += Duration::from_millis(dice.below(3000));
         } else if dice.below(4) == 0 {
             now += Duration::from_secs(1) / FRAMES_PER_SECOND;
         }
         running.send(event(&mut dice), Duration::from_millis(now.as_millis() as u64));
-        if running.ended() {
-            running = start();
-            now = Duration::ZERO;
+        if running.ended() || number % each == 0 {
+            (running, now) = start();
         }
     }
     println!("{}: {events} events in {:.1} s", program.manual.name, begun.elapsed().as_secs_f64());
