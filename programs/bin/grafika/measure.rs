@@ -67,7 +67,8 @@ fn plane_json(curve: &PhCurve) -> Value {
     json!({
         "length": curve.total_length(),
         "energy": curve.energy(),
-        "rotation": curve.absolute_rotation(),
+        "rotation": curve.turning(),
+        "absolute_rotation": curve.absolute_rotation(),
         "offset_limits": curve.offset_limits(),
         "curvature_extrema": extrema.collect::<Vec<_>>(),
         "inflections": inflections.collect::<Vec<_>>(),
@@ -100,7 +101,8 @@ fn plane_text(curve: &PhCurve) -> String {
     };
     line("length", number(curve.total_length()));
     line("energy", finite(curve.energy()));
-    line("rotation", format!("{} turns", number(curve.absolute_rotation())));
+    line("rotation", format!("{} rad to the left", number(curve.turning())));
+    line("absolute rotation", format!("{} turns", number(curve.absolute_rotation())));
     let [right, left] = curve.offset_limits();
     let limit = |limit: Option<f64>| limit.map_or_else(|| "any distance".to_owned(), number);
     line("offset to the left", format!("clean up to {}", limit(left)));
