@@ -9,6 +9,8 @@ mod error;
 pub mod fourier;
 mod net;
 pub mod nets;
+pub mod offset;
+pub mod ph;
 mod sketch;
 
 pub use edit::{Edit, Place};
@@ -17,7 +19,8 @@ pub use net::{Index, NetDesign, Part};
 pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
-use crate::file::{CurveSettings, Document, Format, Method, NetSettings};
+use crate::file::{CurveSettings, Document, Format, Method, NetSettings, RationalSpans, SpacePoints};
+use crate::geometry::ph::Knots;
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
 /// What a document describes.
@@ -33,6 +36,8 @@ pub enum Design {
     Net(NetDesign),
     /// Curves and patches over extended Chebyshev spaces.
     Ec(Box<EcDocument>),
+    /// A rational curve of the plane, such as an exact offset.
+    Rational(Box<RationalSpans>),
 }
 
 /// A curve or a surface.
@@ -60,6 +65,7 @@ impl Design {
             Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
             Document::Ec(document) => Ok(Design::Ec(document)),
+            Document::Rational(spans) => Ok(Design::Rational(spans)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
@@ -78,6 +84,7 @@ impl Design {
             Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
             Design::Net(net) => Shape::Surface(net.surface()?),
             Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
+            Design::Rational(spans) => Shape::Plane(Box::new(offset::curve(spans)?)),
         })
     }
 }
@@ -138,15 +145,19 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
         let points = plane.points.iter().take(1).filter(|_| format == Format::Ec2).map(|_| "points");
         lost.extend(joints.chain(tangents).chain(points).map(str::to_owned));
     }
+    if let Document::SpacePoints(SpacePoints { tangents: Some(_), .. }) = &document {
+        lost.push("tangents".to_owned());
+    }
     lost
 }
 
 /// Removes the settings that are drawn anyway.
 fn forget_usual(settings: &mut CurveSettings, implied: Option<Method>) {
-    let CurveSettings { method, closed, k0, bias, tension } = settings;
+    let CurveSettings { method, closed, k0, bias, tension, knots, start: _, end: _ } = settings;
     *method = method.filter(|method| Some(*method) != implied);
     *closed = closed.filter(|closed| *closed);
     *k0 = k0.filter(|k0| *k0 != 0.5);
     *bias = bias.filter(|bias| *bias != 1.0);
     *tension = tension.filter(|tension| *tension != 0.0);
+    *knots = knots.filter(|knots| *knots != Knots::default());
 }

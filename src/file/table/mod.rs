@@ -121,14 +121,15 @@ impl Document {
             {
                 Ok(written(PLANE_HEADER, points))
             }
-            Self::SpacePoints(SpacePoints { points, settings }) if settings.is_empty() => {
+            Self::SpacePoints(SpacePoints { points, tangents: None, settings }) if settings.is_empty() => {
                 Ok(written(SPACE_HEADER, points))
             }
             Self::Ec(document) => match &**document {
                 EcDocument::Curve(curve) => Ok(written(SPACE_HEADER, &curve.points)),
                 _ => Err(misfit(self.format().english())),
             },
-            Self::PlanePoints(PlanePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
+            Self::PlanePoints(PlanePoints { tangents: Some(_), .. })
+            | Self::SpacePoints(SpacePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
             Self::PlanePoints(PlanePoints { joints: Some(_), .. }) => Err(misfit("shapes of joints")),
             Self::PlanePoints(_) | Self::SpacePoints(_) => Err(misfit("settings")),
             _ => Err(misfit(self.format().english())),
