@@ -344,6 +344,7 @@ fn settings(method: Method) -> [(CurveSettings, Closure); 3] {
         k0: Some(K0),
         bias: Some(SHAPE.bias),
         tension: Some(SHAPE.tension),
+        ..CurveSettings::default()
     };
     [(with(Some(false)), Closure::Open), (with(Some(true)), Closure::Closed), (with(None), Closure::Open)]
 }
@@ -564,7 +565,7 @@ mod commands {
             closed: Some(true),
             bias: Some(2.0),
             tension: Some(3.0),
-            k0: None,
+            ..CurveSettings::default()
         };
         scratch.write("bare.json", &plane(CurveSettings::default()));
         scratch.write("s.json", &plane(settings));

@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::{Kept, pictures, play_script, random};
-use grafika::machine::Memory;
+use common::{Kept, SharedDisk, pictures, play_script, random, session};
+use grafika::machine::{Memory, Script, Settings, play};
 use grafika::programs::ph_gorbe::PROGRAM;
 use serde_json::Value;
 
@@ -135,13 +135,12 @@ fn knots_are_chosen_among_all_and_undone() {
 
 #[test]
 fn the_path_is_saved_for_a_machine() {
-    let mut memory = Memory::default();
-    let kept = play_script(
-        PROGRAM,
-        std::mem::take(&mut memory),
-        &format!("{}key F7\ntype 0.5\nkey Enter\nkey I\ndump end.json", bay()),
-    );
-    let program = String::from_utf8(kept.storage.files()["O.NC"].clone()).expect("it is text");
+    let disk = SharedDisk::default();
+    let script = format!("{}key F7\nkey Backspace\ntype 0.5\nkey Enter\nkey I\ndump end.json", bay());
+    let mut kept = Kept::default();
+    let script = Script::parse(&script).expect("the test's script is right");
+    play(&mut session(PROGRAM, disk.clone(), Settings::default()), &script, &mut kept).expect("all is taken");
+    let program = String::from_utf8(disk.file("O.NC")).expect("it is text");
     assert!(program.starts_with("G21 G90\nG0 X"), "{program}");
     assert_eq!(kept.models["end.json"]["own"]["unit"], 0.5);
 }

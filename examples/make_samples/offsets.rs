@@ -15,24 +15,25 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ..PlanePoints::new(vec![[200.0, 300.0], [360.0, 300.0]])
     };
     let arc = Document::PlanePoints(arc);
-    let screw = screw();
     Ok(vec![
         ("K.IP2", points(&cam).write(Format::Ip2)?),
         ("O.IP2", points(&bay).write(Format::Ip2)?),
         ("T.IC2", arc.write(Format::Ic2)?),
         ("T.EC2", arc.write(Format::Ec2)?),
-        ("H.IP3", screw.clone().without_settings().write(Format::Ip3)?),
-        ("H.JSON", screw.encode(FileKind::Json)?),
+        ("H.IP3", Document::SpacePoints(SpacePoints::new(SCREW.to_vec())).write(Format::Ip3)?),
+        ("H.JSON", screw().encode(FileKind::Json)?),
     ])
 }
 
-/// Half a turn of a screw, with tangents, which the DOS format cannot hold.
+/// Half a turn of a screw.
+const SCREW: [[f64; 3]; 3] = [[100.0, 0.0, 0.0], [0.0, 100.0, 50.0], [-100.0, 0.0, 100.0]];
+
+/// The screw with its tangents, which the DOS format cannot hold.
 fn screw() -> Document {
-    let points = vec![[100.0, 0.0, 0.0], [0.0, 100.0, 50.0], [-100.0, 0.0, 100.0]];
     let tangents = vec![[0.0, 150.0, 50.0], [-150.0, 0.0, 50.0], [0.0, -150.0, 50.0]];
     Document::SpacePoints(SpacePoints {
         tangents: Some(tangents),
         settings: CurveSettings { method: Some(Method::PhHermite), ..CurveSettings::default() },
-        ..SpacePoints::new(points)
+        ..SpacePoints::new(SCREW.to_vec())
     })
 }

@@ -20,6 +20,10 @@ pub enum DesignError {
     OnlyHermite,
     /// The method is one of curves only.
     ForCurves(Method),
+    /// The method has curves of the plane only.
+    ForPlane(Method),
+    /// The method's curves have no exact lengths and offsets; those of PH curves do.
+    NoPh(Method),
     /// A Hermite matrix of another size than 4 x 4.
     NoMatrix,
     /// A control point, counted from 1, lies outside of the field or of space.
@@ -85,6 +89,14 @@ impl fmt::Display for DesignError {
             DesignError::ForCurves(method) => write!(
                 f,
                 "{} is for curves; surfaces have spline, local, bezier, bspline2, bspline3 and beta",
+                method.name()
+            ),
+            DesignError::ForPlane(method) => {
+                write!(f, "{} is for curves of the plane; in space there is phhermite", method.name())
+            }
+            DesignError::NoPh(method) => write!(
+                f,
+                "{} has no exact lengths and offsets; PH curves do: phspline, phhermite, and in the plane phcubic",
                 method.name()
             ),
             DesignError::NoMatrix => f.write_str("a Hermite matrix has 4 rows of 4"),

@@ -9,6 +9,7 @@ mod error;
 pub mod fourier;
 mod net;
 pub mod nets;
+pub mod ph;
 mod sketch;
 
 pub use edit::{Edit, Place};
@@ -17,7 +18,8 @@ pub use net::{Index, NetDesign, Part};
 pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
-use crate::file::{CurveSettings, Document, Format, Method, NetSettings};
+use crate::file::{CurveSettings, Document, Format, Method, NetSettings, SpacePoints};
+use crate::geometry::ph::Knots;
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
 /// What a document describes.
@@ -138,15 +140,19 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
         let points = plane.points.iter().take(1).filter(|_| format == Format::Ec2).map(|_| "points");
         lost.extend(joints.chain(tangents).chain(points).map(str::to_owned));
     }
+    if let Document::SpacePoints(SpacePoints { tangents: Some(_), .. }) = &document {
+        lost.push("tangents".to_owned());
+    }
     lost
 }
 
 /// Removes the settings that are drawn anyway.
 fn forget_usual(settings: &mut CurveSettings, implied: Option<Method>) {
-    let CurveSettings { method, closed, k0, bias, tension } = settings;
+    let CurveSettings { method, closed, k0, bias, tension, knots, start: _, end: _ } = settings;
     *method = method.filter(|method| Some(*method) != implied);
     *closed = closed.filter(|closed| *closed);
     *k0 = k0.filter(|k0| *k0 != 0.5);
     *bias = bias.filter(|bias| *bias != 1.0);
     *tension = tension.filter(|tension| *tension != 0.0);
+    *knots = knots.filter(|knots| *knots != Knots::default());
 }

@@ -105,7 +105,9 @@ impl NetDesign {
             (Method::Hermite, NetKind::Fhc) => return Ok(None),
             (_, NetKind::Fhc) => return Err(DesignError::OnlyHermite),
             (Method::Hermite, _) => return Err(DesignError::NeedsTwists),
-            (Method::Coons | Method::Fourier, _) => return Err(DesignError::ForCurves(method)),
+            (Method::Coons | Method::Fourier | Method::PhSpline | Method::PhHermite | Method::PhCubic, _) => {
+                return Err(DesignError::ForCurves(method));
+            }
             _ => {}
         }
         let (k0, bias, tension) = (self.k0(), self.bias(), self.tension());

@@ -112,7 +112,7 @@ pub trait Layer<const D: usize> {
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// What the layer sees now.
     pub(super) fn scene(&self) -> Scene<D> {

@@ -227,7 +227,7 @@ fn steps(method: Method) -> usize {
 impl<const D: usize> Craft<D> for Curves<D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     type Value = Sketch<D>;
     type Handle = Handle;
@@ -501,7 +501,10 @@ where
     }
 }
 
-impl<const D: usize> Curves<D> {
+impl<const D: usize> Curves<D>
+where
+    Point<D>: Place<D>,
+{
     /// The method that a sketch is drawn by.
     fn method_of(&self, sketch: &Sketch<D>) -> Option<Method> {
         match &self.layer {

@@ -25,7 +25,7 @@ const FEWEST_OF_LAYERS: usize = 2;
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// How many points there are.
     pub(super) fn count(&self) -> usize {
