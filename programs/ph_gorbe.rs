@@ -34,10 +34,10 @@ const MANUAL: Manual = Manual {
     ),
     intro: Words(
         "Görbék, amelyek hossza és párhuzamosa képlettel, közelítés nélkül adódik. Tegyen le öt pontot, nyomja le: G, \
-         N, 1, aztán húzza a sárga görbét. Ha x' = m2 - n2 és y' = 2mn, akkor a sebesség m2 + n2: nincs gyök, ezért \
+         N, 1, aztán húzza a sárga görbét. Ha x' = m² - n² és y' = 2mn, akkor a sebesség m² + n²: nincs gyök, ezért \
          a szerszám útja, a falvastagság és az egyenletes előtolás pontos.",
         "Curves whose length and offset come from a formula, without approximation. Put down five points, press G, N, \
-         1, then drag the yellow curve. If x' = m2 - n2 and y' = 2mn, the speed is m2 + n2: no square root, so the path \
+         1, then drag the yellow curve. If x' = m² - n² and y' = 2mn, the speed is m² + n²: no square root, so the path \
          of a tool, the thickness of a wall and a constant feed are exact.",
     ),
     keys: table::PLANE_KEYS,

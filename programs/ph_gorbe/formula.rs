@@ -58,7 +58,10 @@ fn written(bernstein: &[f64], form: Form) -> String {
         return format!("({})", list.join(", "));
     }
     let mut text = String::new();
-    for (k, value) in power(bernstein).into_iter().enumerate() {
+    // What is zero but for rounding is left out.
+    let zero = 1e-9 * bernstein.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
+    let terms = power(bernstein).into_iter().enumerate();
+    for (k, value) in terms.filter(|(k, value)| *k == 0 || value.abs() > zero) {
         let sign = if value < 0.0 { "-" } else { "+" };
         let number = texts::number(value.abs(), 2);
         let variable = match k {
@@ -94,7 +97,7 @@ fn draw(screen: &mut Screen, language: Language, segment: &PhSegment, [span, spa
         screen.text(left, 98 + 14 * row, &text, ink);
     }
     let h = texts::number(segment.step(), 4);
-    screen.text(left, 172, &format!("h = {h}   x' = h (m^2 - n^2)   y' = 2 h m n   sigma = h (m^2 + n^2)"), Color::LightCyan);
+    screen.text(left, 172, &format!("h = {h}   x' = h (m² - n²)   y' = 2 h m n   sigma = h (m² + n²)"), Color::LightCyan);
     let steps = 60;
     let at = |coefficients: &[Point<2>]| -> Vec<Point<2>> {
         (0..=steps).map(|k| bezier(coefficients, f64::from(k) / f64::from(steps))).collect()

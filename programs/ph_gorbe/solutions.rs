@@ -15,7 +15,7 @@ const INKS: [Color; 4] = [Color::White, Color::LightGreen, Color::LightRed, Colo
 const KNOTS: [Knots; 3] = [Knots::Chord, Knots::Uniform, Knots::Centripetal];
 /// The list over the picture.
 const LIST: (i32, i32) = (36, 64);
-const LIST_WIDTH: i32 = 268;
+const LIST_WIDTH: i32 = 282;
 /// Segments of a solution on the screen.
 const STEPS: usize = 50;
 
@@ -78,12 +78,13 @@ fn of_span(sketch: &Sketch<2>, span: usize) -> Vec<Solution> {
         Some(Method::PhCubic) => PhSegment::cubics([p0, p1], [d0, d1]).unwrap_or_default(),
         _ => PhSegment::hermite([p0, p1], [d0, d1]).map(|(all, _)| all.to_vec()).unwrap_or_default(),
     };
+    let cubic = sketch.settings.method == Some(Method::PhCubic);
     let best = sketch.ph_curve().ok().and_then(|curve| curve.segments().get(span).cloned());
     let mut others = INKS.into_iter().skip(1);
     let named = segments.iter().enumerate().map(|(at, segment)| {
         let chosen = best.as_ref().is_some_and(|best| best.preimage() == segment.preimage());
         let ink = if chosen { INKS[0] } else { others.next().unwrap_or(Color::LightGray) };
-        Solution::of_segment(texts::solution(at), ink, segment)
+        Solution::of_segment(texts::solution(at, cubic), ink, segment)
     });
     named.collect()
 }
@@ -138,6 +139,6 @@ fn draw(screen: &mut Screen, language: Language, title: &Phrase, solutions: &[So
         screen.bar(x + 8, y, x + 18, y + 7, solution.ink);
         screen.text(x + 24, y, solution.name.of(language), Color::Black);
         let facts = texts::facts(solution.energy, solution.rotation, solution.length);
-        screen.text(x + 80, y, &facts, Color::Black);
+        screen.text(x + 92, y, &facts, Color::Black);
     }
 }

@@ -104,7 +104,7 @@ impl Layer<3> for Space {
             () if scene.held => texts::HINT_HELD,
             () => texts::HINT_SPACE,
         };
-        Some(Hint::at((TOP.0, 46), 30, text))
+        Some(Hint::at((TOP.0 + 8, TOP.1 + 32), 28, text))
     }
 
     fn watched(&mut self, _: &Scene<3>, tick: &Tick) -> bool {
@@ -136,13 +136,13 @@ impl Layer<3> for Space {
         }
         let Canvas { screen, language } = canvas;
         screen.text(28, 5, texts::SPACE_TITLE.of(*language), Color::Black);
-        let (x, y) = (TOP.0 + 8, TOP.1 + 5);
+        let (x, y) = (TOP.0 + 8, TOP.1 + 4);
         let curve = match scene.sketch.space_ph_curve() {
             Ok(curve) => curve,
             Err(error) if scene.sketch.points.len() >= 2 && scene.sketch.method().is_some() => {
                 let lines = wrap(texts::refusal(&error).of(*language), 28);
                 for (row, line) in (0..).zip(lines.iter().take(3)) {
-                    screen.text(x, y + 11 * row, line, Color::Red);
+                    screen.text(x, y + 9 * row, line, Color::Red);
                 }
                 return;
             }
@@ -157,7 +157,7 @@ impl Layer<3> for Space {
             Frame::name(self.frame).into(),
         ];
         for (row, line) in (0..).zip(lines) {
-            screen.text(x, y + 11 * row, line.of(*language), Color::Black);
+            screen.text(x, y + 9 * row, line.of(*language), Color::Black);
         }
     }
 

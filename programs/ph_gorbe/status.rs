@@ -16,9 +16,9 @@ use std::rc::Rc;
 const LETTERS: usize = 28;
 /// The left edge of its text, and its lines.
 const LEFT: i32 = TOP.0 + 8;
-const LINES: [i32; 3] = [TOP.1 + 5, TOP.1 + 16, TOP.1 + 27];
-/// Where the hint stands: under the page.
-const HINT: (i32, i32) = (TOP.0, 46);
+const LINES: [i32; 3] = [TOP.1 + 4, TOP.1 + 13, TOP.1 + 22];
+/// Where the hint stands: the last line of the page.
+const HINT: (i32, i32) = (TOP.0 + 8, TOP.1 + 32);
 
 /// Draws title and page.
 pub(super) fn draw(
@@ -72,7 +72,7 @@ pub(super) fn hint(scene: &Scene<2>, options: &Options) -> Hint {
         () if options.speed => texts::HINT_SPEED,
         () => texts::HINT_EDIT,
     };
-    Hint::at(HINT, 30, text)
+    Hint::at(HINT, LETTERS, text)
 }
 
 /// The analysis for `dump`.

@@ -72,7 +72,7 @@ const SPEED: Row = Command::button(
     Own::Speed.action(),
 );
 const COMB: Row = Command::button(
-    Button::new(30, 38, Hot::new('K', "-görbül.", "-comb")),
+    Button::new(30, 38, Hot::new('K', "-görbül", "-comb")),
     line("K + -", "görbületi fésű; nagyobb, kisebb", "comb of curvature; larger, smaller"),
     Own::Comb.action(),
 );

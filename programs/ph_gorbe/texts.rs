@@ -41,7 +41,7 @@ pub(super) fn distance_and_length(options: &Options, length: f64) -> Phrase {
     let length = number(length, 3);
     let unit = if options.unit == 1.0 { String::new() } else { " px".to_owned() };
     let text = match options.distance {
-        Some(d) if options.both => format!("d = +-{:.1}  L = {length}{unit}", d.abs()),
+        Some(d) if options.both => format!("d = ±{:.1}  L = {length}{unit}", d.abs()),
         Some(d) => format!("d = {d:.1}  L = {length}{unit}"),
         None => format!("L = {length}{unit}"),
     };
@@ -152,8 +152,9 @@ pub(super) fn all_of_span(span: usize, spans: usize) -> Phrase {
 }
 
 /// The name of a Hermite quintic, by its signs; or of a cubic.
-pub(super) fn solution(at: usize) -> Phrase {
-    let name = ["+ +", "+ -", "- +", "- -"].get(at).copied().unwrap_or("?");
+pub(super) fn solution(at: usize, cubic: bool) -> Phrase {
+    let names = if cubic { ["1", "2", "3", "4"] } else { ["+ +", "+ -", "- +", "- -"] };
+    let name = names.get(at).copied().unwrap_or("?");
     Phrase::new(name, name)
 }
 
@@ -166,8 +167,8 @@ pub(super) fn facts(energy: Option<f64>, rotation: f64, length: f64) -> String {
 /// The title of the formulas of a span.
 pub(super) fn formulas_of(span: usize, spans: usize) -> Phrase {
     Phrase::new(
-        format!("{span}/{spans}. ív: w = m + i n,  r' = h w^2,  |r'| = h |w|^2"),
-        format!("Span {span}/{spans}: w = m + i n,  r' = h w^2,  |r'| = h |w|^2"),
+        format!("{span}/{spans}. ív: w = m + i n,  r' = h w²,  |r'| = h |w|²"),
+        format!("Span {span}/{spans}: w = m + i n,  r' = h w²,  |r'| = h |w|²"),
     )
 }
 

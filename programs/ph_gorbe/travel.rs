@@ -173,8 +173,7 @@ fn draw_page(screen: &mut Screen, language: Language, options: &Options, tracks:
     page(screen, TOP);
     let lines = texts::travel(options, way, tracks.ranges);
     for (row, (line, ink)) in (0..).zip(lines.iter().zip([Color::Black, Color::Black, Color::Red])) {
-        screen.text(TOP.0 + 8, TOP.1 + 5 + 11 * row, line.of(language), ink);
+        screen.text(TOP.0 + 8, TOP.1 + 4 + 9 * row, line.of(language), ink);
     }
-    screen.bar(TOP.0, 46, TOP.0 + 240, 53, Color::LightCyan);
-    screen.text(TOP.0, 46, texts::TRAVEL_KEYS.of(language), Color::Black);
+    screen.text(TOP.0 + 8, TOP.1 + 32, texts::TRAVEL_KEYS.of(language), Color::Black);
 }

@@ -152,7 +152,9 @@ mod tests {
         }
         assert_eq!(bay().by(Method::Coons).ph_curve().unwrap_err(), DesignError::NoPh(Method::Coons));
         // An S has no PH cubic.
-        let refused = bay().by(Method::PhCubic).curve().unwrap_err();
+        let tangents = Some(vec![[1.0, 0.5]; 2]);
+        let bent = Sketch { points: vec![[0.0, 0.0], [100.0, 0.0]], tangents, ..Sketch::default() };
+        let refused = bent.by(Method::PhCubic).curve().unwrap_err();
         assert!(matches!(refused, DesignError::Geometry(GeometryError::NoPhCubic { .. })), "{refused}");
     }
 }
