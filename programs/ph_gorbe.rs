@@ -33,12 +33,12 @@ const MANUAL: Manual = Manual {
         "PH curves: exact lengths, exact offsets",
     ),
     intro: Words(
-        "Görbék, amelyek hossza és párhuzamosa képlettel, közelítés nélkül adódik. Tegyen le öt pontot, nyomja le: G, \
-         N, 1, aztán húzza a sárga görbét. Ha x' = m² - n² és y' = 2mn, akkor a sebesség m² + n²: nincs gyök, ezért \
-         a szerszám útja, a falvastagság és az egyenletes előtolás pontos.",
-        "Curves whose length and offset come from a formula, without approximation. Put down five points, press G, N, \
-         1, then drag the yellow curve. If x' = m² - n² and y' = 2mn, the speed is m² + n²: no square root, so the path \
-         of a tool, the thickness of a wall and a constant feed are exact.",
+        "Görbék, amelyek hossza és párhuzamosa pontos. Tegyen le öt pontot, nyomja le: G, N, 1, aztán húzza a \
+         sárga görbét. Ha x' = m² - n² és y' = 2mn, akkor a sebesség m² + n²: nincs gyök, ezért a szerszám \
+         útja, a falvastagság, az előtolás képlettel adódik.",
+        "Curves whose length and offset are exact. Put down five points, press G, N, 1, then drag the yellow \
+         curve. If x' = m² - n² and y' = 2mn, the speed is m² + n²: no square root, so the path of a tool, the \
+         thickness of a wall and a constant feed come from a formula.",
     ),
     keys: table::PLANE_KEYS,
     lesson: &[],

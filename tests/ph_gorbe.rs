@@ -28,6 +28,7 @@ fn near(value: &Value, wanted: f64, within: f64) {
     assert!((number(value) - wanted).abs() <= within, "{value} is not {wanted}");
 }
 
+const NOTHING: Value = Value::Array(Vec::new());
 const CAM: &str = "type gz1\n";
 const BAY: &str = "type gn1\n";
 const ARC: &str = "type gn3\n";
@@ -53,8 +54,12 @@ fn the_cam_is_safe_up_to_its_smallest_radius() {
     for d in ["20", "90", "-30"] {
         let model = own(&format!("{}key P\ntype {d}\nkey Enter", cam()));
         let offset = &model["offsets"][0];
-        assert_eq!((offset["cusps"].as_array().map(Vec::len), &offset["crossings"]), (Some(0), &Value::from(0)));
-        near(&offset["length"], 866.479834 - number(&Value::from(d.parse::<f64>().unwrap())) * std::f64::consts::TAU, 1e-6);
+        assert_eq!((&offset["cusps"], &offset["crossings"]), (&NOTHING, &NOTHING));
+        near(
+            &offset["length"],
+            866.479834 - number(&Value::from(d.parse::<f64>().unwrap())) * std::f64::consts::TAU,
+            1e-6,
+        );
     }
 }
 
@@ -66,7 +71,7 @@ fn the_bay_has_two_cusps_and_a_loop() {
     near(&model["offset_limits"][1], 51.2589, 1e-4);
     let offset = &model["offsets"][0];
     assert_eq!(offset["cusps"].as_array().map(Vec::len), Some(2));
-    assert_eq!(offset["crossings"], 1);
+    assert_eq!(offset["crossings"].as_array().map(Vec::len), Some(1));
     let wanted = [[0.0, 0.0, 2.0, 0.7119], [3.0, 0.2413, 4.0, 1.0]];
     for (kept, wanted) in offset["kept"].as_array().unwrap().iter().zip(wanted) {
         for (k, wanted) in wanted.into_iter().enumerate() {
@@ -80,7 +85,7 @@ fn the_arc_is_a_ph_cubic_whose_offset_vanishes() {
     let model = own(&format!("{}key P\ntype 60\nkey Enter", arc()));
     near(&model["length"], 193.776408, 1e-6);
     near(&model["offset_limits"][1], 82.6297, 1e-4);
-    assert_eq!(model["offsets"][0]["crossings"], 0);
+    assert_eq!(model["offsets"][0]["crossings"], NOTHING);
     let swallowtail = own(&format!("{}key P\ntype 95\nkey Enter", arc()));
     let offset = &swallowtail["offsets"][0];
     near(&offset["cusps"][0]["u"], 0.248887, 1e-6);
@@ -88,7 +93,7 @@ fn the_arc_is_a_ph_cubic_whose_offset_vanishes() {
     near(&offset["kept"][0][3], 0.025648, 1e-6);
     near(&offset["kept"][1][1], 0.974352, 1e-6);
     let nothing = own(&format!("{}key P\ntype 120\nkey Enter", arc()));
-    assert_eq!(nothing["offsets"][0]["kept"], Value::Array(Vec::new()));
+    assert_eq!(nothing["offsets"][0]["kept"], NOTHING);
 }
 
 #[test]
@@ -103,7 +108,7 @@ fn the_offset_is_dragged_and_turned_by_the_wheel() {
     let both = own(&format!("{}type pm", bay()));
     assert_eq!(both["offsets"].as_array().map(Vec::len), Some(2));
     let none = own(&format!("{}type pn", bay()));
-    assert_eq!(none["offsets"], Value::Array(Vec::new()));
+    assert_eq!(none["offsets"], NOTHING);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What is known about a PH curve and its offsets: worked out once for a picture, a page and a dump.
 
 use crate::design::{DesignError, Sketch};
-use crate::geometry::ph::{Offset, PhCurve, Place};
+use crate::geometry::ph::{Crossing, Offset, PhCurve, Place};
 use crate::geometry::{ParamCurve, Point};
 use crate::screen::{Color, Stroke};
 use std::cell::RefCell;
@@ -28,7 +28,7 @@ pub(super) struct Analysis {
 pub(super) struct Side {
     pub(super) offset: Rc<Offset>,
     /// Its crossings, where it has been trimmed.
-    pub(super) crossings: Option<usize>,
+    pub(super) crossings: Option<Vec<Crossing>>,
     /// The kept stretches, where it has been trimmed.
     pub(super) kept: Vec<[Place; 2]>,
     /// Its connected stretches, kept and cut off.
@@ -90,7 +90,7 @@ impl Side {
                 }
             }
         }
-        let crossings = trimmed.as_ref().map(|it| it.crossings.len());
+        let crossings = trimmed.as_ref().map(|it| it.crossings.clone());
         Side { crossings, kept: trimmed.map(|it| it.kept).unwrap_or_default(), runs, offset }
     }
 
@@ -127,7 +127,7 @@ impl Analysis {
     /// How many cusps and crossings the offsets have; no number of crossings where they are not known.
     pub(super) fn counts(&self) -> (usize, Option<usize>) {
         let cusps = self.sides.iter().map(|side| side.offset.cusps().len()).sum();
-        (cusps, self.sides.iter().map(|side| side.crossings).sum())
+        (cusps, self.sides.iter().map(|side| side.crossings.as_ref().map(Vec::len)).sum())
     }
 
     /// The place of the curve nearest to a point, and its distance.
@@ -188,14 +188,12 @@ impl Cache {
         distances: &[f64],
         trim: bool,
     ) -> Result<Rc<Analysis>, DesignError> {
-        let same =
-            |kept: &Kept| kept.sketch == *sketch && kept.distances == distances && kept.trim == trim;
+        let same = |kept: &Kept| kept.sketch == *sketch && kept.distances == distances && kept.trim == trim;
         if let Some(kept) = self.0.borrow().as_ref().filter(|kept| same(kept)) {
             return kept.made.clone();
         }
         let made = Analysis::new(sketch, distances, trim).map(Rc::new);
-        let kept =
-            Kept { sketch: sketch.clone(), distances: distances.to_vec(), trim, made: made.clone() };
+        let kept = Kept { sketch: sketch.clone(), distances: distances.to_vec(), trim, made: made.clone() };
         *self.0.borrow_mut() = Some(kept);
         made
     }

@@ -6,7 +6,7 @@ use super::texts;
 use crate::design::DesignError;
 use crate::editor::curve::layer::{Canvas, Scene};
 use crate::figure::wrap;
-use crate::geometry::ph::Place;
+use crate::geometry::ph::{Crossing, Place};
 use crate::screen::Color;
 use crate::ui::{Hint, TOP, Words};
 use serde_json::{Value, json};
@@ -78,6 +78,7 @@ pub(super) fn hint(scene: &Scene<2>, options: &Options) -> Hint {
 /// The analysis for `dump`.
 pub(super) fn model(analysis: &Analysis) -> Value {
     let place = |place: &Place| json!({ "span": place.span, "u": place.u });
+    let crossing = |it: &Crossing| json!(it.places.map(|it| json!([it.span, it.u])));
     let curve = &analysis.curve;
     let offset = |side: &super::analysis::Side| {
         let kept = side.kept.iter().map(|[from, to]| json!([from.span, from.u, to.span, to.u]));
@@ -85,7 +86,7 @@ pub(super) fn model(analysis: &Analysis) -> Value {
             "distance": side.offset.distance(),
             "length": side.offset.length(),
             "cusps": side.offset.cusps().iter().map(place).collect::<Vec<_>>(),
-            "crossings": side.crossings,
+            "crossings": side.crossings.as_ref().map(|all| all.iter().map(crossing).collect::<Vec<_>>()),
             "kept": kept.collect::<Vec<_>>(),
         })
     };

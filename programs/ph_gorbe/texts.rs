@@ -28,7 +28,7 @@ pub(super) const HINT_CURVE: Words = Words("G: görbe      F1: segítség", "G: 
 pub(super) const HINT_EDIT: Words = Words("Húzza. Görgő: d  P S K J  F1", "Drag. Wheel: d  P S K J  F1");
 pub(super) const HINT_COMB: Words = Words("+ -: fésű. Mutasson a görbére", "+ -: comb. Point at the curve");
 pub(super) const HINT_SPEED: Words = Words("Mutasson a csíkra, a görbére", "Point at the strip or curve");
-pub(super) const HINT_HELD: Words = Words("Engedje el a helyén. Esc: nem", "Release it there. Esc: no");
+pub(super) const HINT_HELD: Words = Words("Engedje el. Esc: mégsem", "Release it there. Esc: no");
 pub(super) const HINT_GRIP: Words = Words("A távolság az egérnél", "The distance at the mouse");
 
 /// A number of the page: as many decimals as are worth reading, but no more than fit.
@@ -148,7 +148,10 @@ pub(super) fn knots(knots: crate::geometry::ph::Knots) -> Phrase {
 
 /// The title of the solutions of a span.
 pub(super) fn all_of_span(span: usize, spans: usize) -> Phrase {
-    Phrase::new(format!("{span}/{spans} ív   Bal Jobb: másik  Esc"), format!("Span {span}/{spans}  Left Right, Esc"))
+    Phrase::new(
+        format!("{span}/{spans} ív   Bal Jobb: másik  Esc"),
+        format!("Span {span}/{spans}  Left Right, Esc"),
+    )
 }
 
 /// The name of a Hermite quintic, by its signs; or of a cubic.
@@ -160,7 +163,11 @@ pub(super) fn solution(at: usize, cubic: bool) -> Phrase {
 
 /// Bending energy, rotation and length of a solution.
 pub(super) fn facts(energy: Option<f64>, rotation: f64, length: f64) -> String {
-    let energy = energy.map_or("inf".to_owned(), |it| if it < 10.0 { format!("{it:.4}") } else { format!("{it:.1e}") });
+    let energy = energy.map_or("inf".to_owned(), |it| match it {
+        ..10.0 => format!("{it:.4}"),
+        ..10000.0 => format!("{it:.1}"),
+        _ => format!("{it:.1e}"),
+    });
     format!("E {energy} R {rotation:.2} L {length:.0}")
 }
 
@@ -179,6 +186,32 @@ pub(super) const FORMULA_KEYS: Words = Words(
 pub(super) const W_PICTURE: Words = Words("w(t) = m + i n", "w(t) = m + i n");
 pub(super) const HODOGRAPH: Words = Words("hodográf x', y'", "hodograph x', y'");
 
+pub(super) const EXACT: Words = Words("PH: 1 darab, pontos    Esc", "PH: 1 piece, exact    Esc");
+
+/// How many pieces a span has.
+pub(super) fn pieces(count: usize) -> Phrase {
+    Phrase::new(format!("{count} darab ívenként (+ -)"), format!("pieces a span: {count} (+ -)"))
+}
+
+/// An error in pixels, with three digits that count.
+pub(super) fn error(error: f64) -> String {
+    match error {
+        0.0 => "0".to_owned(),
+        ..1e-3 => format!("{error:.2e}"),
+        ..10.0 => format!("{error:.4}"),
+        _ => format!("{error:.1}"),
+    }
+}
+
+/// What the plot of errors shows.
+pub(super) fn error_legend(most: f64) -> Phrase {
+    let most = error(most);
+    Phrase::new(
+        format!("eltérés a távolságtól az út fölött, legfeljebb {most} képpont"),
+        format!("deviation from the distance over length, up to {most} pixels"),
+    )
+}
+
 pub(super) const UNIT: Words = Words("1 képpont, mm:", "1 pixel in mm:");
 pub(super) const ASK_NC: Words = Words("  NC-program mentése ?", "   Save an NC program?");
 
@@ -190,7 +223,8 @@ pub(super) fn nc_saved(name: &str, lines: usize) -> Phrase {
     )
 }
 
-pub(super) const NO_FILE: Words = Words("A PH_GORBE pontokat nyit meg: IP2, IC2, IP3", "PH_GORBE opens points: IP2, IC2, IP3");
+pub(super) const NO_FILE: Words =
+    Words("A PH_GORBE pontokat nyit meg: IP2, IC2, IP3", "PH_GORBE opens points: IP2, IC2, IP3");
 
 pub(super) const SPACE_TITLE: Words = Words("PH térgörbék", "PH space curves");
 pub(super) const HINT_SPACE: Words = Words("Forgassa. P cső  K keret  F1", "Turn it. P pipe  K frame  F1");
@@ -211,7 +245,9 @@ pub(super) fn length_and_energy(length: f64, energy: Option<f64>) -> Phrase {
 pub(super) fn pipe(radius: Option<f64>, most: Option<f64>) -> Phrase {
     let most = most.map_or(String::new(), |it| format!(" < {it:.2}"));
     match radius {
-        Some(radius) => Phrase::new(format!("cső: r = {radius:.1}{most}"), format!("pipe: r = {radius:.1}{most}")),
+        Some(radius) => {
+            Phrase::new(format!("cső: r = {radius:.1}{most}"), format!("pipe: r = {radius:.1}{most}"))
+        }
         None => Phrase::new(format!("nincs cső (P), r{most}"), format!("no pipe (P), r{most}")),
     }
 }
