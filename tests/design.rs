@@ -616,7 +616,7 @@ mod commands {
                 (
                     &["A.CSK"],
                     1,
-                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .KCG to .KCJ do",
+                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP, .KCG to .KCJ and .RBC do",
                 ),
             ] {
                 let refused = scratch.refused(&[command, arguments].concat());

@@ -67,7 +67,7 @@ impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DesignError::NoShape => f.write_str(
-                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .KCG to .KCJ do",
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP, .KCG to .KCJ and .RBC do",
             ),
             DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
             DesignError::Needs(Method::Fourier) => {

@@ -9,6 +9,7 @@ mod error;
 pub mod fourier;
 mod net;
 pub mod nets;
+pub mod offset;
 pub mod ph;
 mod sketch;
 
@@ -18,7 +19,7 @@ pub use net::{Index, NetDesign, Part};
 pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
-use crate::file::{CurveSettings, Document, Format, Method, NetSettings, SpacePoints};
+use crate::file::{CurveSettings, Document, Format, Method, NetSettings, RationalSpans, SpacePoints};
 use crate::geometry::ph::Knots;
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
@@ -35,6 +36,8 @@ pub enum Design {
     Net(NetDesign),
     /// Curves and patches over extended Chebyshev spaces.
     Ec(Box<EcDocument>),
+    /// A rational curve of the plane, such as an exact offset.
+    Rational(Box<RationalSpans>),
 }
 
 /// A curve or a surface.
@@ -62,6 +65,7 @@ impl Design {
             Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
             Document::Ec(document) => Ok(Design::Ec(document)),
+            Document::Rational(spans) => Ok(Design::Rational(spans)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
@@ -80,6 +84,7 @@ impl Design {
             Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
             Design::Net(net) => Shape::Surface(net.surface()?),
             Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
+            Design::Rational(spans) => Shape::Plane(Box::new(offset::curve(spans)?)),
         })
     }
 }

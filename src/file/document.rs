@@ -2,8 +2,8 @@
 
 use super::ec::EcDocument;
 use super::{
-    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints,
-    Tangents, billiards, settings,
+    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, PlanePoints, RationalSpans,
+    SpacePoints, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -28,6 +28,8 @@ pub enum Document {
     Billiards(Box<Game>),
     /// `.KCT` to `.KCJ`: spaces, curves, surfaces and scenes of KC_TER.
     Ec(Box<EcDocument>),
+    /// `.RBC`: a rational curve of the plane.
+    Rational(Box<RationalSpans>),
 }
 
 impl Document {
@@ -101,6 +103,7 @@ impl Document {
             Self::CsangoCube(_) => Format::Csk,
             Self::Billiards(_) => Format::Bil,
             Self::Ec(document) => document.format(),
+            Self::Rational(_) => Format::Rbc,
         }
     }
 
@@ -120,6 +123,7 @@ impl Document {
             Self::CsangoCube(cube) => cube.check(),
             Self::Billiards(game) => game.check().map_err(|error| FileError::Invalid(error.to_string())),
             Self::Ec(document) => document.check(),
+            Self::Rational(spans) => spans.check(),
         }
     }
 
@@ -136,6 +140,7 @@ impl Document {
             Self::CsangoCube(cube) => cube.describe(),
             Self::Billiards(game) => billiards::describe(game),
             Self::Ec(document) => document.describe(),
+            Self::Rational(spans) => spans.describe(),
         }
     }
 
@@ -151,7 +156,8 @@ impl Document {
             | Self::BeadWheel(_)
             | Self::CsangoCube(_)
             | Self::Billiards(_)
-            | Self::Ec(_) => Vec::new(),
+            | Self::Ec(_)
+            | Self::Rational(_) => Vec::new(),
         }
     }
 
@@ -167,7 +173,8 @@ impl Document {
             | Self::BeadWheel(_)
             | Self::CsangoCube(_)
             | Self::Billiards(_)
-            | Self::Ec(_) => {}
+            | Self::Ec(_)
+            | Self::Rational(_) => {}
         }
         self
     }

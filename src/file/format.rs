@@ -29,6 +29,7 @@ pub enum Format {
     Kcf,
     Kce,
     Kcj,
+    Rbc,
 }
 
 /// One row of the table.
@@ -79,6 +80,7 @@ rows! {
     Kcf "KCF" None, "surface over extended Chebyshev spaces" "felület kiterjesztett Csebisev-térben";
     Kce "KCE" None, "coefficients of an exact description" "pontos leírás együtthatói";
     Kcj "KCJ" None, "scene of curves and surfaces" "görbék és felületek jelenete";
+    Rbc "RBC" None, "rational curve of the plane" "síkbeli racionális görbe";
 }
 
 impl Format {
@@ -161,7 +163,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Kcj as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Rbc as usize + 1, Format::ALL.len());
     }
 
     #[test]
