@@ -123,6 +123,8 @@ mod tests {
 
     #[test]
     fn every_format_belongs_to_a_program() {
-        assert!(Format::ALL.iter().all(|&format| of_format(format).is_some()));
+        // Rational curves are made for other programs; `grafika render` shows them.
+        let opened = Format::ALL.iter().filter(|&&format| format != Format::Rbc);
+        assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }
 }
