@@ -6,7 +6,8 @@
     python3 tests/step_kernel.py target/debug/grafika
 
 For every kind of net and every method the kernel (Open CASCADE) has to read one valid face, a solid of positive
-volume where the surface is closed, and a surface that agrees with `grafika sample` to 1e-9 at every sample.
+volume where the surface is closed, and a surface that agrees with `grafika sample` to 1e-9 at every sample. Of plane
+curves it has to read one edge for each part of an offset, which agrees with `grafika offset` to 1e-9.
 """
 
 import csv
@@ -24,7 +25,7 @@ from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_FACE, TopAbs_SHELL, TopAbs_SOLID
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_SHELL, TopAbs_SOLID
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
@@ -84,8 +85,15 @@ NETS = [("FPS", flat(5, 5, 80), False), ("FPS", HILLS, False), ("FEM", flat(8, 5
         ("ZYP", RING[::-1], True)]
 
 
+# Points of plane curves, whether they are closed, and distances.
+CURVES = [([[430, 190], [395, 290], [290, 330], [190, 300], [150, 200], [185, 105], [270, 60], [350, 85]], True,
+           [0, 20, 90, -30, 110]),
+          ([[60, 120], [150, 300], [250, 170], [330, 110], [420, 190], [500, 320]], False, [0, -40, 51, 60, -70]),
+          ([[0, 0], [300, 100]], False, [25])]
+
 # Releases of the bindings differ in the name.
 as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
+as_edge = getattr(TopoDS, "Edge_s", None) or TopoDS.Edge
 
 
 def run(*arguments):
@@ -136,6 +144,34 @@ def check(grafika, folder, kind, net, closed, method):
     return worst
 
 
+def check_offset(grafika, folder, points, closed, distance, trim, knots):
+    """The largest distance between the kernel's curves and the points of an offset."""
+    file, step, per_span = folder / "curve.json", folder / "curve.step", 7
+    settings = {"method": "phspline", "closed": closed, "knots": knots}
+    file.write_text(json.dumps({"format": "IP2", "points": points, "settings": settings}))
+    command = [grafika, "offset", file, f"--distance={distance}", *(["--trim"] if trim else [])]
+    run(*command, "-o", step)
+    rows = list(csv.DictReader(io.StringIO(run(*command, "--to", "csv", "--per-span", str(per_span)))))
+    reader = STEPControl_Reader()
+    assert reader.ReadFile(str(step)) == IFSelect_RetDone, "not read"
+    reader.TransferRoots()
+    # The ends of every span, from 0, of one edge after the other.
+    places = []
+    for edge in explore(reader.OneShape(), TopAbs_EDGE):
+        curve = BRep_Tool.Curve_s(as_edge(edge), 0.0, 1.0)
+        curve = curve[0] if isinstance(curve, tuple) else curve
+        first, last = curve.FirstParameter(), curve.LastParameter()
+        places += [(curve, first + k) for k in range(round(last - first))]
+    assert len(places) * (per_span + 1) == len(rows), f"{len(places)} spans for {len(rows)} rows"
+    worst = 0.0
+    for index, row in enumerate(rows):
+        curve, start = places[index // (per_span + 1)]
+        point = curve.Value(start + index % (per_span + 1) / per_span)
+        worst = max(worst, math.hypot(point.X() - float(row["x"]), point.Y() - float(row["y"])), abs(point.Z()))
+    assert worst < TOLERANCE, worst
+    return worst
+
+
 def main():
     grafika = str(pathlib.Path(sys.argv[1]).resolve())
     worst, count = 0.0, 0
@@ -151,6 +187,16 @@ def main():
                 except (AssertionError, subprocess.CalledProcessError) as error:
                     sys.exit(f"{kind} {' '.join(method)}: {getattr(error, 'stderr', '')} {error}")
                 count += 1
+        for points, closed, distances in CURVES:
+            for distance in distances:
+                for trim in (False, True):
+                    for knots in ("chord", "uniform"):
+                        case = (points, closed, distance, trim, knots)
+                        try:
+                            worst = max(worst, check_offset(grafika, pathlib.Path(folder), *case))
+                        except (AssertionError, subprocess.CalledProcessError) as error:
+                            sys.exit(f"{case}: {getattr(error, 'stderr', '')} {error}")
+                        count += 1
     print(f"{count} files, largest distance {worst:.1e}")
 
 

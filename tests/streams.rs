@@ -13,7 +13,7 @@ use tempfile::TempDir;
 const GRAFIKA: &str = env!("CARGO_BIN_EXE_grafika");
 
 /// Commands that write to standard output. `DIR` is a fresh folder.
-const TO_STDOUT: [&[&str]; 31] = [
+const TO_STDOUT: [&[&str]; 36] = [
     &["--help"],
     &["--version"],
     &["help"],
@@ -33,6 +33,11 @@ const TO_STDOUT: [&[&str]; 31] = [
     &["smooth", "Y.IP2", "-o", "-"],
     &["smooth", "Y.IP2", "-o", "DIR/y.csv"],
     &["solve", "abcd"],
+    &["sample", "A.IP2", "--method", "phspline", "--closed", "--uniform", "5000", "--quantities"],
+    &["measure", "A.IP2", "--method", "phspline", "--closed"],
+    &["offset", "A.IP2", "--method", "phspline", "--closed", "--distance", "2", "--to", "json"],
+    &["offset", "A.IP2", "--method", "phspline", "--distance", "2", "--nc", "DIR/a.nc"],
+    &["poly", "(x + y)^3 - x^3"],
     &["basis", "AT2", "--interval", "0,1", "--per-span", "5000"],
     &["basis", "T1", "--interval", "0,1", "--to", "json"],
     &["critical", "AT2"],
@@ -48,7 +53,7 @@ const TO_STDOUT: [&[&str]; 31] = [
 ];
 
 /// Commands that write to the file `OUT`.
-const TO_FILE: [&[&str]; 19] = [
+const TO_FILE: [&[&str]; 24] = [
     &["sample", "A.IP2", "--method", "spline", "--to", "csv", "-o", "OUT"],
     &["sample", "A.ZMS", "--to", "json", "-o", "OUT"],
     &["render", "A.IP2", "--method", "spline", "--to", "svg", "-o", "OUT"],
@@ -59,6 +64,11 @@ const TO_FILE: [&[&str]; 19] = [
     &["render", "A.ZMS", "--to", "ply", "-o", "OUT"],
     &["render", "A.ZMS", "--to", "step", "-o", "OUT"],
     &["convert", "A.IP2", "OUT", "--to", "json"],
+    &["measure", "A.IP2", "--method", "phspline", "--to", "json", "-o", "OUT"],
+    &["offset", "A.IP2", "--method", "phspline", "--distance", "2", "--trim", "--to", "step", "-o", "OUT"],
+    &["offset", "A.IP2", "--method", "phspline", "--distance", "2", "--to", "svg", "-o", "OUT"],
+    &["render", "A.IP2", "--method", "phspline", "--distance", "2", "--comb", "--to", "png", "-o", "OUT"],
+    &["poly", "x^2 - y", "--to", "json", "-o", "OUT"],
     &["basis", "T1", "--interval", "0,1", "--to", "csv", "-o", "OUT"],
     &["elevate", "HELIX.KCG", "--root", "0", "--to", "kcg", "-o", "OUT"],
     &["split", "HELIX.KCG", "--at", "pi/3", "--to", "json", "-o", "OUT"],

@@ -47,17 +47,21 @@ impl Figure {
         }
     }
 
-    /// Adds the plot of the speed over the length in a strip below the curve, as wide as the curve is. The line below it
-    /// is speed 0, the strip as high as the largest speed.
+    /// Adds the plot of the speed by the knots over the length, in a strip below the curve and its comb, as wide as the
+    /// curve is. The line below it is speed 0, the strip as high as the largest speed.
     pub fn plot_speed(&mut self, curve: &PhCurve) {
         let Some(bounds) = curve.bounding_box() else { return };
         let size = bounds.extent();
         let (width, height) = ((bounds.max[0] - bounds.min[0]).max(0.5 * size), HEIGHT * size);
-        let (left, bottom) = (bounds.min[0], bounds.min[1] - 1.5 * height);
+        let (left, bottom) = (bounds.min[0], bounds.min[1] - 1.1 * (height + LONGEST * size));
         let total = curve.total_length();
         let places: Vec<[f64; 2]> = (0..curve.spans())
             .flat_map(|span| (0..=STEPS).map(move |k| Place { span, u: k as f64 / STEPS as f64 }))
-            .filter_map(|place| Some([curve.length_at(place)?, curve.speed(place)?]))
+            .filter_map(|place| {
+                // By the knots it has no jumps at the joints of a spline.
+                let step = curve.segments().get(place.span)?.step();
+                Some([curve.length_at(place)?, curve.speed(place)? / step])
+            })
             .collect();
         let most = places.iter().fold(0.0_f64, |most, [_, speed]| most.max(*speed));
         if !(total > 0.0 && most > 0.0) {
