@@ -29,7 +29,7 @@ where
 {
     let needed = D == 3 || matches!(sketch.settings.method, Some(Method::PhHermite | Method::PhCubic));
     let missing = match &sketch.tangents {
-        Some(tangents) => tangents.iter().any(|tangent| *tangent == [0.0; D]),
+        Some(tangents) => tangents.contains(&[0.0; D]),
         None => needed,
     };
     if !missing || sketch.points.len() < 2 {

@@ -52,7 +52,7 @@ pub(super) fn draw(
         low.is_some_and(|low| d <= low) || high.is_some_and(|high| d >= high)
     });
     let ink = if beyond { Color::Red } else { Color::Black };
-    screen.text(LEFT, LINES[1], &texts::limits(analysis.limits).of(*language), ink);
+    screen.text(LEFT, LINES[1], texts::limits(analysis.limits).of(*language), ink);
     let third = match &analysis.refused {
         Some(_) => texts::TOO_FAR.into(),
         None if analysis.sides.is_empty() => texts::NO_OFFSET.into(),
