@@ -20,6 +20,7 @@ mod unit;
 use super::groups;
 use crate::editor::curve;
 use crate::file::{Document, Format};
+use crate::geometry::Point;
 use crate::machine::{Asked, Machine};
 use crate::screen::{Screen, Stroke};
 use crate::ui::{CommandLine, Demo, Manual, Phrase, Program, Start, Words};
@@ -93,6 +94,12 @@ async fn run(
         let Ok(page) = page(in_space, &elsewhere, None) else { return Ok(()) };
         next = page;
     }
+}
+
+/// The pixel of a place in the field; what is far outside comes no further than matters.
+fn pixel(at: Point<2>) -> (i32, i32) {
+    let [x, y] = at.map(|it| if it.is_finite() { it.clamp(-2000.0, 3000.0).round() as i32 } else { -2000 });
+    (41 + x, 450 - y)
 }
 
 /// Draws a line, but nothing of it that leaves the picture.

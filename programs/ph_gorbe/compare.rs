@@ -34,11 +34,7 @@ impl Approximation {
         for offset in offsets {
             let Ok(near) = offset.approximated(rule, pieces) else { continue };
             let line = near.curve().polyline(STEPS.div_ceil(pieces)).unwrap_or_default();
-            let pixel = |at: [f64; 2]| {
-                let [x, y] = at.map(|it| it.clamp(-2000.0, 3000.0).round() as i32);
-                (41 + x, 450 - y)
-            };
-            found.lines.push(line.into_iter().map(pixel).collect());
+            found.lines.push(line.into_iter().map(super::pixel).collect());
             found.largest = found.largest.max(near.largest_deviation(MEASURED));
             if found.errors.is_empty() {
                 let share = |place| curve.length_at(place).map(|s| s / curve.total_length());

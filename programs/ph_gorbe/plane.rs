@@ -161,7 +161,7 @@ impl Layer<2> for Plane {
         let Ok(analysis) = self.analysis(scene) else { return false };
         let near = |point: &Point<2>| {
             let (x, y) = map(*point);
-            (x - at.0).pow(2) + (y - at.1).pow(2) <= 25
+            (x - at.0).abs() <= 4 && (y - at.1).abs() <= 4
         };
         let runs = analysis.sides.iter().flat_map(|side| &side.runs).filter(|(kept, _)| *kept);
         scene.shown && runs.flat_map(|(_, run)| line(run)).any(|point| near(&point))

@@ -121,10 +121,7 @@ pub(super) async fn show(
 }
 
 fn draw(screen: &mut Screen, language: Language, title: &Phrase, solutions: &[Solution]) {
-    let pixel = |[x, y]: &Point<2>| {
-        let near = |it: f64| it.clamp(-2000.0, 3000.0).round() as i32;
-        (41 + near(*x), 450 - near(*y))
-    };
+    let pixel = |at: &Point<2>| super::pixel(*at);
     // The chosen one comes last, over the others.
     for solution in
         solutions.iter().filter(|it| it.ink != INKS[0]).chain(solutions.iter().filter(|it| it.ink == INKS[0]))

@@ -26,7 +26,7 @@ pub(super) const SPEED_LEGEND: Words = Words(
 );
 pub(super) const HINT_CURVE: Words = Words("G: görbe      F1: segítség", "G: curve        F1: help");
 pub(super) const HINT_EDIT: Words = Words("Húzza. Görgő: d  P S K J  F1", "Drag. Wheel: d  P S K J  F1");
-pub(super) const HINT_COMB: Words = Words("+ -: fésű. Mutasson a görbére", "+ -: comb. Point at the curve");
+pub(super) const HINT_COMB: Words = Words("+ -: fésű. Álljon a görbére", "+ -: comb. Point at a place");
 pub(super) const HINT_SPEED: Words = Words("Mutasson a csíkra, a görbére", "Point at the strip or curve");
 pub(super) const HINT_HELD: Words = Words("Engedje el. Esc: mégsem", "Release it there. Esc: no");
 pub(super) const HINT_GRIP: Words = Words("A távolság az egérnél", "The distance at the mouse");
@@ -249,5 +249,20 @@ pub(super) fn pipe(radius: Option<f64>, most: Option<f64>) -> Phrase {
             Phrase::new(format!("cső: r = {radius:.1}{most}"), format!("pipe: r = {radius:.1}{most}"))
         }
         None => Phrase::new(format!("nincs cső (P), r{most}"), format!("no pipe (P), r{most}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Language;
+
+    #[test]
+    fn hints_fit_their_line() {
+        let hints = [HINT_CURVE, HINT_EDIT, HINT_COMB, HINT_SPEED, HINT_HELD, HINT_GRIP, HINT_SPACE, TRAVEL_KEYS];
+        for (hint, language) in hints.iter().flat_map(|hint| [(hint, Language::Hungarian), (hint, Language::English)]) {
+            let words: Vec<&str> = hint.of(language).split_whitespace().collect();
+            assert!(words.join(" ").chars().count() <= 28, "{words:?}");
+        }
     }
 }

@@ -80,7 +80,7 @@ impl Tracks<'_> {
     }
 
     fn draw(&self, share: f64, screen: &mut Screen) {
-        let pixel = |[x, y]: Point<2>| (41 + x.round() as i32, 450 - y.round() as i32);
+        let pixel = super::pixel;
         let passed = (share * (self.marks.len().saturating_sub(1)) as f64).floor() as usize;
         for x in ROWS {
             screen.line(x, ROW_BOTTOM, x, ROW_BOTTOM - ROW_HEIGHT as i32, Stroke::thin(Color::DarkGray));
