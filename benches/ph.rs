@@ -42,7 +42,7 @@ fn ph(c: &mut Criterion) {
         });
     }
     c.bench_function("ph, 1000 places at equal lengths", |b| {
-        b.iter(|| black_box(&curve).equal_lengths(1000))
+        b.iter(|| black_box(&curve).equal_lengths(1000));
     });
 }
 

@@ -24,10 +24,13 @@ pub enum Rule {
 pub struct ApproximateOffset {
     curve: RationalCurve,
     /// The span and the range of its parameter that every piece is for.
-    ranges: Vec<(usize, [f64; 2])>,
+    ranges: Vec<Range>,
     of: PhCurve,
     distance: f64,
 }
+
+/// A span and a range of its parameter.
+type Range = (usize, [f64; 2]);
 
 /// The most pieces a span.
 const MOST_PIECES: usize = 1024;
@@ -45,7 +48,7 @@ impl Offset {
             let value = pieces as f64;
             return Err(GeometryError::Parameter { name: "number of pieces", value, wanted: "1 to 1024" });
         }
-        let mut found: Vec<(Vec<Complex>, (usize, [f64; 2]))> = Vec::new();
+        let mut found: Vec<(Vec<Complex>, Range)> = Vec::new();
         for (span, segment) in self.curve().segments().iter().enumerate() {
             for k in 0..pieces {
                 let range = [k, k + 1].map(|k| k as f64 / pieces as f64);
@@ -82,9 +85,9 @@ impl Offset {
     fn add_moved(
         &self,
         control: &[Complex],
-        (span, [from, to]): (usize, [f64; 2]),
+        (span, [from, to]): Range,
         depth: u32,
-        found: &mut Vec<(Vec<Complex>, (usize, [f64; 2]))>,
+        found: &mut Vec<(Vec<Complex>, Range)>,
     ) {
         let legs: Vec<Complex> = control.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let unit = |leg: &Complex| {
@@ -175,7 +178,7 @@ fn gap(segment: &PhSegment, point: Complex, mut u: f64) -> f64 {
         let step = away.dot(slope) / if steep > 0.0 { steep } else { slope.norm_squared() };
         let next = (u - step).clamp(0.0, 1.0);
         let gap = from(next).norm();
-        if !(gap < best) {
+        if gap >= best {
             break;
         }
         (u, best) = (next, gap);
