@@ -41,8 +41,12 @@ fn bay() -> String {
     opened("O") + BAY
 }
 
+/// Four points of a curve that turns both ways.
+const WAVE: &str = "manner today\nkey U\nclick 100 300\nclick 200 200\nclick 300 300\nclick 400 180\n";
+
+/// The file with tangents is chosen from the list of the manner of today.
 fn arc() -> String {
-    opened("T.IC2") + ARC
+    format!("manner today\n{}{ARC}", opened("T.IC2"))
 }
 
 #[test]
@@ -113,11 +117,10 @@ fn the_offset_is_dragged_and_turned_by_the_wheel() {
 
 #[test]
 fn without_a_ph_cubic_the_quintic_is_offered() {
-    // The bay turns both ways.
-    let kept = run(&format!("{}type gn3i\n", opened("O")));
+    let kept = run(&format!("{WAVE}type gn3i\n"));
     assert_eq!(kept.models["end.json"]["method"], "phhermite");
-    assert_eq!(kept.models["end.json"]["tangents"].as_array().map(Vec::len), Some(6));
-    let refused = run(&format!("{}type gn1gn3n\n", opened("O")));
+    assert_eq!(kept.models["end.json"]["tangents"].as_array().map(Vec::len), Some(4));
+    let refused = run(&format!("{WAVE}type gn1gn3n\n"));
     assert_eq!(refused.models["end.json"]["method"], "phspline");
 }
 
@@ -130,11 +133,11 @@ fn equal_neighbours_are_refused_by_their_names() {
 
 #[test]
 fn knots_are_chosen_among_all_and_undone() {
-    let uniform = run(&format!("{}key F4\nkey 2", opened("A.IP2") + CAM));
-    let chord = run(&(opened("A.IP2") + CAM));
+    let uniform = run(&format!("{}key F4\nkey 2", opened("A") + CAM));
+    let chord = run(&(opened("A") + CAM));
     let length = |kept: &Kept| number(&kept.models["end.json"]["own"]["length"]);
     assert!((length(&chord) - 1660.283).abs() < 1e-3 && length(&uniform) != length(&chord));
-    let undone = run(&format!("{}key F4\nkey 2\nkey Ctrl+Z", opened("A.IP2") + CAM));
+    let undone = run(&format!("{}key F4\nkey 2\nkey Ctrl+Z", opened("A") + CAM));
     assert_eq!(length(&undone), length(&chord));
 }
 
@@ -153,7 +156,7 @@ fn the_path_is_saved_for_a_machine() {
 #[test]
 fn tangents_are_saved_and_read_again() {
     let kept = run(&format!(
-        "{}type gn2\nkey Ctrl+S\ntype TWO\nkey Enter\nkey Q\nkey N\nkey N\nkey I\nkey T\ntype TWO.IC2\nkey Enter\ndump again.json\n",
+        "{}type gn2\nkey Ctrl+S\ntype TWO\nkey Enter\nkey Q\nkey N\nkey N\ndump saved.json\n",
         opened("O")
     ));
     assert_eq!(kept.models["end.json"]["tangents"].as_array().map(Vec::len), Some(6));
@@ -188,7 +191,7 @@ fn pages_look_as_they_did() {
             ("vanished", format!("{}type p120\nkey Enter", arc())),
             ("distance", format!("{}type p", bay())),
             ("methods", format!("{}type gn", opened("O"))),
-            ("no_cubic", format!("{}type gn3", opened("O"))),
+            ("no_cubic", format!("{WAVE}type gn3")),
             ("speed", format!("{}type s\nmove 300 430", bay())),
             ("comb", format!("{}type k\nmove 291 280", bay())),
             ("solutions", format!("{}type gn2\nkey F4", opened("O"))),
