@@ -259,8 +259,11 @@ mod tests {
 
     #[test]
     fn hints_fit_their_line() {
-        let hints = [HINT_CURVE, HINT_EDIT, HINT_COMB, HINT_SPEED, HINT_HELD, HINT_GRIP, HINT_SPACE, TRAVEL_KEYS];
-        for (hint, language) in hints.iter().flat_map(|hint| [(hint, Language::Hungarian), (hint, Language::English)]) {
+        let hints =
+            [HINT_CURVE, HINT_EDIT, HINT_COMB, HINT_SPEED, HINT_HELD, HINT_GRIP, HINT_SPACE, TRAVEL_KEYS];
+        for (hint, language) in
+            hints.iter().flat_map(|hint| [(hint, Language::Hungarian), (hint, Language::English)])
+        {
             let words: Vec<&str> = hint.of(language).split_whitespace().collect();
             assert!(words.join(" ").chars().count() <= 28, "{words:?}");
         }
