@@ -31,6 +31,8 @@ const SETTLED: f64 = 1e-9;
 const APART: f64 = 1e-6;
 /// Crossings whose parameters differ by less than this are the same one.
 const SAME: f64 = 1e-8;
+/// So near to a cusp, in the parameter, its two arms are the same by rounding, for they part with the third power.
+const AT_A_CUSP: f64 = 1e-4;
 
 /// The crossings of an offset, ordered by their first places. Parts that touch or coincide have no crossing.
 pub(super) fn crossings(offset: &Offset) -> Vec<Crossing> {
@@ -54,6 +56,7 @@ pub(super) fn crossings(offset: &Offset) -> Vec<Crossing> {
             distinct.push(crossing);
         }
     }
+    distinct.retain(|crossing| !chords.turns_back_between(crossing));
     distinct
 }
 
@@ -87,6 +90,16 @@ struct Chords<'a> {
 }
 
 impl<'a> Chords<'a> {
+    /// Whether the places of a crossing are only the two arms of one cusp, which do not cross.
+    fn turns_back_between(&self, crossing: &Crossing) -> bool {
+        let [a, b] = crossing.places;
+        let between = |cusp: &&Place| {
+            let key = |place: &Place| (place.span, place.u);
+            (key(&a) <= key(cusp)) == (key(cusp) <= key(&b))
+        };
+        self.along(a, b) <= AT_A_CUSP && self.offset.cusps().iter().filter(between).count() == 1
+    }
+
     fn new(offset: &'a Offset) -> Self {
         let segments = offset.curve().segments();
         let control = segments.iter().flat_map(|segment| segment.parts().control).map(|point| point.point());

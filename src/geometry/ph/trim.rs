@@ -280,6 +280,18 @@ mod tests {
     }
 
     #[test]
+    fn the_arms_of_a_cusp_do_not_cross() {
+        let segment = PhSegment::cubics([[200.0, 300.0], [360.0, 300.0]], [[150.0, -225.0], [150.0, 225.0]]);
+        let curve = PhCurve::new(Closure::Open, vec![segment.unwrap().swap_remove(0)]);
+        for (d, crossings, kept) in [(60.0, 0, 1), (95.0, 1, 2), (120.0, 0, 0)] {
+            let offset = curve.offset(d).unwrap();
+            let trimmed = offset.trimmed();
+            assert_eq!((trimmed.crossings.len(), trimmed.kept.len()), (crossings, kept), "{d}");
+            assert_eq!(offset.cusps().len(), if d > 82.0 { 2 } else { 0 });
+        }
+    }
+
+    #[test]
     fn a_ring_offset_too_far_inside_vanishes() {
         let points: Vec<Point<2>> = (0..6)
             .map(|k| std::f64::consts::PI * f64::from(k) / 3.0)
