@@ -91,7 +91,7 @@ impl PhShape {
                 row.extend(coordinates(curve.eval(span, u)));
                 if quantities {
                     row.extend([curve.length_at(place), curve.speed(place), curve.curvature(place)]);
-                    let frame = curve.frame(place).map(|[t, e2, e3]| [t, e2, e3]);
+                    let frame = curve.frame(place);
                     row.extend((0..3).flat_map(|k| coordinates(frame.map(|frame| frame[k]))));
                 }
             }
