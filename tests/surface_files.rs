@@ -233,6 +233,7 @@ fn step_surface(text: &str) -> BSplineSurface {
             .split("),(")
             .map(|row| row.split(',').map(|name| point(name.trim_start_matches('#'))).collect())
             .collect(),
+        weights: None,
     }
 }
 

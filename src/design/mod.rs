@@ -9,15 +9,17 @@ mod error;
 pub mod fourier;
 mod net;
 pub mod nets;
+mod normals;
 mod sketch;
 
 pub use edit::{Edit, Place};
 pub use error::DesignError;
 pub use net::{Index, NetDesign, Part};
+pub use normals::NORMALS_SIZE;
 pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
-use crate::file::{CurveSettings, Document, Format, Method, NetSettings};
+use crate::file::{CurveSettings, Document, Format, Method, NetSettings, Patches};
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
 /// What a document describes.
@@ -33,6 +35,8 @@ pub enum Design {
     Net(NetDesign),
     /// Curves and patches over extended Chebyshev spaces.
     Ec(Box<EcDocument>),
+    /// A surface of rational Bézier patches.
+    Patches(Box<Patches>),
 }
 
 /// A curve or a surface.
@@ -60,6 +64,7 @@ impl Design {
             Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
             Document::Ec(document) => Ok(Design::Ec(document)),
+            Document::Patches(patches) => Ok(Design::Patches(patches)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
@@ -77,6 +82,7 @@ impl Design {
             Design::Space(sketch) => Shape::Space(sketch.curve()?),
             Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
             Design::Net(net) => Shape::Surface(net.surface()?),
+            Design::Patches(patches) => Shape::Surface(Box::new(normals::patches(patches)?)),
             Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
         })
     }
@@ -120,12 +126,13 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
             Document::SpacePoints(space)
         }
         Document::Net(mut net) => {
-            let NetSettings { method, k0, bias, tension, extended } = &mut net.settings;
+            let NetSettings { method, k0, bias, tension, extended, distance } = &mut net.settings;
             *method = method.filter(|method| Some(*method) != implied);
             *k0 = k0.filter(|k0| *k0 != [0.5; 2]);
             *bias = bias.filter(|bias| *bias != [1.0; 2]);
             *tension = tension.filter(|tension| *tension != [0.0; 2]);
             *extended = extended.filter(|extended| *extended);
+            *distance = distance.filter(|distance| *distance != 0.0);
             Document::Net(net)
         }
         other => other,

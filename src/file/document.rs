@@ -2,8 +2,8 @@
 
 use super::ec::EcDocument;
 use super::{
-    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, PlanePoints, SpacePoints,
-    Tangents, billiards, settings,
+    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, Patches, PlanePoints,
+    SpacePoints, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -28,6 +28,8 @@ pub enum Document {
     Billiards(Box<Game>),
     /// `.KCT` to `.KCJ`: spaces, curves, surfaces and scenes of KC_TER.
     Ec(Box<EcDocument>),
+    /// `.RBS`: rational Bézier patches, as offsets are written.
+    Patches(Box<Patches>),
 }
 
 impl Document {
@@ -75,10 +77,10 @@ impl Document {
             (Self::SpacePoints(points), Format::Ip3) => points.write(),
             (Self::BeadWheel(wheel), Format::Gyk) => Ok(wheel.write()),
             (Self::CsangoCube(cube), Format::Csk) => cube.write(),
+            _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             (Self::Net(net), _) if NetKind::of(format).is_some_and(|kind| net.kind.goes_into(kind)) => {
                 net.write(NetKind::of(format).unwrap_or(net.kind))
             }
-            _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             _ => {
                 let content = self.format().english();
                 Err(FileError::misfit(format, format!("{content}; it holds {}", format.english())))
@@ -101,6 +103,7 @@ impl Document {
             Self::CsangoCube(_) => Format::Csk,
             Self::Billiards(_) => Format::Bil,
             Self::Ec(document) => document.format(),
+            Self::Patches(_) => Format::Rbs,
         }
     }
 
@@ -120,6 +123,7 @@ impl Document {
             Self::CsangoCube(cube) => cube.check(),
             Self::Billiards(game) => game.check().map_err(|error| FileError::Invalid(error.to_string())),
             Self::Ec(document) => document.check(),
+            Self::Patches(patches) => patches.check(),
         }
     }
 
@@ -136,6 +140,7 @@ impl Document {
             Self::CsangoCube(cube) => cube.describe(),
             Self::Billiards(game) => billiards::describe(game),
             Self::Ec(document) => document.describe(),
+            Self::Patches(patches) => patches.describe(),
         }
     }
 
@@ -151,7 +156,8 @@ impl Document {
             | Self::BeadWheel(_)
             | Self::CsangoCube(_)
             | Self::Billiards(_)
-            | Self::Ec(_) => Vec::new(),
+            | Self::Ec(_)
+            | Self::Patches(_) => Vec::new(),
         }
     }
 
@@ -167,7 +173,8 @@ impl Document {
             | Self::BeadWheel(_)
             | Self::CsangoCube(_)
             | Self::Billiards(_)
-            | Self::Ec(_) => {}
+            | Self::Ec(_)
+            | Self::Patches(_) => {}
         }
         self
     }

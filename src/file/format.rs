@@ -29,6 +29,8 @@ pub enum Format {
     Kcf,
     Kce,
     Kcj,
+    Pn,
+    Rbs,
 }
 
 /// One row of the table.
@@ -79,6 +81,8 @@ rows! {
     Kcf "KCF" None, "surface over extended Chebyshev spaces" "felület kiterjesztett Csebisev-térben";
     Kce "KCE" None, "coefficients of an exact description" "pontos leírás együtthatói";
     Kcj "KCJ" None, "scene of curves and surfaces" "görbék és felületek jelenete";
+    Pn "PN" None, "net of points with normals" "pontok hálója normálisokkal";
+    Rbs "RBS" None, "rational Bézier patches" "racionális Bézier-foltok";
 }
 
 impl Format {
@@ -161,7 +165,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Kcj as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Rbs as usize + 1, Format::ALL.len());
     }
 
     #[test]

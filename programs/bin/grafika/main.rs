@@ -4,6 +4,7 @@ mod config;
 mod convert;
 mod curve;
 mod ec;
+mod normals;
 mod reference;
 mod render;
 mod sample;

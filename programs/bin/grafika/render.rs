@@ -82,6 +82,14 @@ impl Render {
             self.check_model()?;
             return self.model(&[&*net.solid().map_err(Failure::work)?], format);
         }
+        if let (Design::Patches(_), Shape::Surface(surface)) = (&design, shape) {
+            if format.is_model() {
+                self.check_model()?;
+                return self.model(&[&**surface], format);
+            }
+            let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+            return self.picture(&self.wires(&**surface, SPACE_VIEW, steps)?.0, format);
+        }
         if self.tolerance.is_some() && format != Format::Step {
             return Err(Failure::usage("--tolerance is for .step"));
         }
@@ -239,10 +247,7 @@ impl Render {
         surface: &dyn ParamSurface,
         steps: usize,
     ) -> Result<Figure, Failure> {
-        let view = View::from_direction(self.view.unwrap_or(net.net.kind.view()));
-        let grid = surface.grid(steps).map_err(Failure::work)?;
-        let mut figure = self.titled();
-        figure.plot_surface(&grid, &view, Hidden::LeftOut);
+        let (mut figure, view, bounds) = self.wires(surface, net.net.kind.view(), steps)?;
         if self.polygon {
             for (line, closed) in net.polygons() {
                 let line = line.iter().map(|&point| view.place(point)).collect();
@@ -254,8 +259,22 @@ impl Render {
                 figure.plot_point(view.place(point), Some(format!("{k},{l}")));
             }
         }
-        self.measure(&mut figure, view, [BoundingBox::of_points(grid.points()), None]);
+        self.measure(&mut figure, view, [bounds, None]);
         Ok(figure)
+    }
+
+    /// The visible lines of a surface, how it is seen, and the box round it.
+    fn wires(
+        &self,
+        surface: &dyn ParamSurface,
+        from: Point<3>,
+        steps: usize,
+    ) -> Result<(Figure, View, Option<BoundingBox<3>>), Failure> {
+        let view = View::from_direction(self.view.unwrap_or(from));
+        let grid = surface.grid(steps).map_err(Failure::work)?;
+        let mut figure = self.titled();
+        figure.plot_surface(&grid, &view, Hidden::LeftOut);
+        Ok((figure, view, BoundingBox::of_points(grid.points())))
     }
 
     /// A figure with what stands around it.

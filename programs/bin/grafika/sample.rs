@@ -1,10 +1,12 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
 use crate::curve::CurveArgs;
+use crate::normals;
 use crate::source::is_stream;
+use crate::space::{as_csv, as_json};
 use clap::Args;
-use grafika::design::Shape;
 use grafika::design::ec::EcShapes;
+use grafika::design::{Design, Shape};
 use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
 use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, progress, write_output};
@@ -28,6 +30,9 @@ pub(crate) struct Sample {
     /// First, or first and second derivatives of a curve, by its parameter
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=2))]
     derivatives: u8,
+    /// Normals and radii of curvature too, of surfaces by --method pn
+    #[arg(long)]
+    quantities: bool,
     /// Which items of a scene that has both
     #[arg(long, value_name = "KIND")]
     items: Option<Items>,
@@ -49,6 +54,9 @@ enum Items {
 impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.quantities {
+            return self.with_quantities();
+        }
         let (_, shape) = self.curve.shape()?;
         let alive = progress::alive("sampling");
         let text = match shape {
@@ -57,6 +65,21 @@ impl Sample {
             Shape::Surface(surface) => self.surface_text([(0, &*surface)].into_iter()),
             Shape::Parts(parts) => self.parts(&parts),
         }?;
+        drop(alive);
+        write_output(self.output.as_deref(), text.as_bytes())
+    }
+
+    /// Points with what is exact about them.
+    fn with_quantities(&self) -> Result<(), Failure> {
+        let (design, name) = self.curve.design()?;
+        let Design::Net(net) = design else {
+            return Err(Failure::usage("--quantities is for surfaces by --method pn"));
+        };
+        let alive = progress::alive("sampling");
+        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        let rows = normals::quantities(&normals::surface(&net, &name)?, steps)?;
+        let header = normals::QUANTITIES.map(str::to_owned);
+        let text = self.table(rows, |rows| as_csv(&header, &rows), |rows| as_json(&header, &rows))?;
         drop(alive);
         write_output(self.output.as_deref(), text.as_bytes())
     }
