@@ -116,6 +116,10 @@ pub fn naming(document: Document, implied: Option<Method>) -> Document {
 /// What files of a DOS format cannot hold of a document, by its names in JSON. Values that are drawn anyway, such as a
 /// bias of 1 or the program's `implied` method, do not count.
 pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec<String> {
+    if format.size().is_none() {
+        // JSON holds everything.
+        return Vec::new();
+    }
     let document = match document.clone() {
         Document::PlanePoints(mut plane) => {
             forget_usual(&mut plane.settings, implied);

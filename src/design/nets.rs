@@ -54,3 +54,11 @@ pub fn torus([rows, columns]: [usize; 2], ring: f64, tube: f64) -> Vec<Vec<Point
     };
     (0..rows).map(circle).collect()
 }
+
+/// A grid over the plane, highest in the middle, falling with the square of the distance to the height 0 in its corners.
+pub fn vault(shape: [usize; 2], spacing: f64, height: f64) -> Vec<Vec<Point<3>>> {
+    let flat = plane(shape, spacing);
+    let corner = flat.first().and_then(|row| row.first()).map_or(1.0, |[x, y, _]| x * x + y * y);
+    let lift = |[x, y, _]: Point<3>| [x, y, (height * (1.0 - (x * x + y * y) / corner)).round()];
+    flat.into_iter().map(|row| row.into_iter().map(lift).collect()).collect()
+}
