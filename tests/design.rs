@@ -344,6 +344,7 @@ fn settings(method: Method) -> [(CurveSettings, Closure); 3] {
         k0: Some(K0),
         bias: Some(SHAPE.bias),
         tension: Some(SHAPE.tension),
+        ..CurveSettings::default()
     };
     [(with(Some(false)), Closure::Open), (with(Some(true)), Closure::Closed), (with(None), Closure::Open)]
 }
@@ -564,7 +565,7 @@ mod commands {
             closed: Some(true),
             bias: Some(2.0),
             tension: Some(3.0),
-            k0: None,
+            ..CurveSettings::default()
         };
         scratch.write("bare.json", &plane(CurveSettings::default()));
         scratch.write("s.json", &plane(settings));
@@ -615,7 +616,7 @@ mod commands {
                 (
                     &["A.CSK"],
                     1,
-                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .KCG to .KCJ do",
+                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP, .KCG to .KCJ and .RBC do",
                 ),
             ] {
                 let refused = scratch.refused(&[command, arguments].concat());

@@ -244,6 +244,30 @@ fn json_holds_what_the_dos_format_cannot() {
 }
 
 #[test]
+fn json_holds_tangents_in_space_and_the_recipe_of_ph_curves() {
+    let text = r#"{"format": "IP3", "points": [[1, 2, 3], [4, 5, 6.5]], "tangents": [[7, 8, 9], [0, -1, 0.5]],
+        "settings": {"method": "phhermite"}}"#;
+    let document = Document::from_json(text).unwrap();
+    assert_eq!(Document::from_json(&document.to_json().unwrap()), Ok(document.clone()));
+    let Document::SpacePoints(space) = &document else { panic!("points in space") };
+    assert_eq!(space.tangents, Some(vec![[7.0, 8.0, 9.0], [0.0, -1.0, 0.5]]));
+    assert!(document.describe().contains(&"tangent 2: 0, -1, 0.5".to_owned()));
+    let refusal = document.write(Format::Ip3).unwrap_err().to_string();
+    assert_eq!(refusal, "does not fit into .IP3: the tangents have no place there");
+    assert!(document.to_csv().unwrap_err().to_string().contains("tangents"));
+    let short = Document::from_json(r#"{"format": "IP3", "points": [[1, 2, 3]], "tangents": []}"#);
+    let refusal = short.unwrap_err().to_string();
+    assert!(refusal.contains("0 tangents for 1 points; there must be one for every point"), "{refusal}");
+
+    let text = r#"{"format": "IP2", "points": [[1, 2], [4, 5]],
+        "settings": {"method": "phspline", "knots": "centripetal", "start": [1, 0.5], "end": [-3, 0]}}"#;
+    let document = Document::from_json(text).unwrap();
+    assert_eq!(Document::from_json(&document.to_json().unwrap()), Ok(document.clone()));
+    assert_eq!(document.settings(), ["end", "knots", "method", "start"]);
+    assert!(Document::from_json(&text.replace("centripetal", "random")).is_err());
+}
+
+#[test]
 fn wrong_json_names_the_line_and_the_field() {
     for (text, message) in [
         ("", "line 1: EOF while parsing a value"),
@@ -260,7 +284,7 @@ fn wrong_json_names_the_line_and_the_field() {
         (
             "{\"format\": \"IP4\"}",
             "line 1, format: \"IP4\" is none of IP2, IC2, EC2, GBP, IP3, FHC, FPS, FEM, FPB, FBS, ZMS, ZMB, ZYS, ZYB, ZYP, \
-             GYK, CSK, BIL, KCT, KCG, KCF, KCE, KCJ, PN, RBS",
+             GYK, CSK, BIL, KCT, KCG, KCF, KCE, KCJ, RBC, PN, RBS",
         ),
         ("{\"format\": \"IP2\", \"points\": [[1, 2],\n[3, NaN]]}", "line 2, points[1][1]: expected value"),
         (
@@ -278,7 +302,7 @@ fn wrong_json_names_the_line_and_the_field() {
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"settings\": {\"k1\": 3}}",
-            "line 1, settings.k1: unknown field `k1`, expected one of `method`, `closed`, `k0`, `bias`, `tension`",
+            "line 1, settings.k1: unknown field `k1`, expected one of `method`, `closed`, `k0`, `bias`, `tension`, `knots`, `start`, `end`",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"tangents\": [[1, 2]]}",

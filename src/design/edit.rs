@@ -1,19 +1,26 @@
 //! The allowed range of control points, and the named edits of a list of them.
 
-use crate::file::{FIELD, MAX_POINTS};
-use crate::geometry::{COORDINATE_LIMIT, Point};
+use super::{DesignError, Sketch, ph};
+use crate::file::{FIELD, MAX_POINTS, Method};
+use crate::geometry::{COORDINATE_LIMIT, ParamCurve, Point};
 
-/// A kind of control point, with its allowed range.
-pub trait Place: Copy + PartialEq {
+/// A kind of control point: its allowed range, and what is different in the plane and in space.
+pub trait Place<const D: usize>: Copy + PartialEq {
     /// Whether it may lie where it is.
     fn fits(self) -> bool;
 
     /// The nearest place where it may lie.
     #[must_use]
     fn nearest(self) -> Self;
+
+    /// The curve of a sketch by a method of PH curves.
+    ///
+    /// # Errors
+    /// Those of [`Sketch::ph_curve`] or [`Sketch::space_ph_curve`].
+    fn ph(sketch: &Sketch<D>, method: Method) -> Result<Box<dyn ParamCurve<D>>, DesignError>;
 }
 
-impl Place for Point<2> {
+impl Place<2> for Point<2> {
     /// In the plane, within the field.
     fn fits(self) -> bool {
         self.iter().zip(FIELD).all(|(value, largest)| (0.0..=largest).contains(value))
@@ -22,9 +29,13 @@ impl Place for Point<2> {
     fn nearest(self) -> Self {
         [self[0].clamp(0.0, FIELD[0]), self[1].clamp(0.0, FIELD[1])]
     }
+
+    fn ph(sketch: &Sketch<2>, method: Method) -> Result<Box<dyn ParamCurve<2>>, DesignError> {
+        Ok(Box::new(ph::plane(sketch, method)?))
+    }
 }
 
-impl Place for Point<3> {
+impl Place<3> for Point<3> {
     /// In space, wherever curves can be computed.
     fn fits(self) -> bool {
         self.iter().all(|value| value.abs() <= COORDINATE_LIMIT)
@@ -32,6 +43,10 @@ impl Place for Point<3> {
 
     fn nearest(self) -> Self {
         self.map(|value| value.clamp(-COORDINATE_LIMIT, COORDINATE_LIMIT))
+    }
+
+    fn ph(sketch: &Sketch<3>, method: Method) -> Result<Box<dyn ParamCurve<3>>, DesignError> {
+        Ok(Box::new(ph::space(sketch, method)?))
     }
 }
 
@@ -53,10 +68,13 @@ pub(super) fn full<P>(points: &[P]) -> bool {
     points.len() >= MAX_POINTS
 }
 
-impl<P: Place> Edit<P> {
+impl<const D: usize> Edit<Point<D>>
+where
+    Point<D>: Place<D>,
+{
     /// Carries the edit out. If there is no such point, or no room, nothing changes. New places are moved to the
     /// nearest one that fits.
-    pub(super) fn carry_out(self, points: &mut Vec<P>) {
+    pub(super) fn carry_out(self, points: &mut Vec<Point<D>>) {
         match self {
             Edit::Insert(index, point) if !full(points) => {
                 points.insert(index.min(points.len()), point.nearest());

@@ -20,6 +20,10 @@ pub enum DesignError {
     OnlyHermite,
     /// The method is one of curves only.
     ForCurves(Method),
+    /// The method has curves of the plane only.
+    ForPlane(Method),
+    /// The method's curves have no exact lengths and offsets; those of PH curves do.
+    NoPh(Method),
     /// The method is one of open nets only.
     OpenOnly(Method),
     /// A gap in a net of rational patches, by its place.
@@ -69,7 +73,7 @@ impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DesignError::NoShape => f.write_str(
-                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .RBS, and .KCG to .KCJ do",
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC and .RBS do",
             ),
             DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
             DesignError::Needs(Method::Fourier) => {
@@ -91,6 +95,14 @@ impl fmt::Display for DesignError {
             DesignError::ForCurves(method) => write!(
                 f,
                 "{} is for curves; surfaces have spline, local, bezier, bspline2, bspline3 and beta",
+                method.name()
+            ),
+            DesignError::ForPlane(method) => {
+                write!(f, "{} is for curves of the plane; in space there is phhermite", method.name())
+            }
+            DesignError::NoPh(method) => write!(
+                f,
+                "{} has no exact lengths and offsets; PH curves do: phspline, phhermite, and in the plane phcubic",
                 method.name()
             ),
             DesignError::OpenOnly(method) => write!(

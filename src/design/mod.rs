@@ -10,6 +10,8 @@ pub mod fourier;
 mod net;
 pub mod nets;
 mod normals;
+pub mod offset;
+pub mod ph;
 mod sketch;
 
 pub use edit::{Edit, Place};
@@ -19,7 +21,10 @@ pub use normals::NORMALS_SIZE;
 pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
-use crate::file::{CurveSettings, Document, Format, Method, NetSettings, Patches};
+use crate::file::{
+    CurveSettings, Document, Format, Method, NetSettings, Patches, RationalSpans, SpacePoints,
+};
+use crate::geometry::ph::Knots;
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
 /// What a document describes.
@@ -35,6 +40,8 @@ pub enum Design {
     Net(NetDesign),
     /// Curves and patches over extended Chebyshev spaces.
     Ec(Box<EcDocument>),
+    /// A rational curve of the plane, such as an exact offset.
+    Rational(Box<RationalSpans>),
     /// A surface of rational Bézier patches.
     Patches(Box<Patches>),
 }
@@ -64,6 +71,7 @@ impl Design {
             Document::Fourier(fourier) => Ok(Design::Fourier(fourier)),
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
             Document::Ec(document) => Ok(Design::Ec(document)),
+            Document::Rational(spans) => Ok(Design::Rational(spans)),
             Document::Patches(patches) => Ok(Design::Patches(patches)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
@@ -84,6 +92,7 @@ impl Design {
             Design::Net(net) => Shape::Surface(net.surface()?),
             Design::Patches(patches) => Shape::Surface(Box::new(normals::patches(patches)?)),
             Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
+            Design::Rational(spans) => Shape::Plane(Box::new(offset::curve(spans)?)),
         })
     }
 }
@@ -149,15 +158,19 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
         let points = plane.points.iter().take(1).filter(|_| format == Format::Ec2).map(|_| "points");
         lost.extend(joints.chain(tangents).chain(points).map(str::to_owned));
     }
+    if let Document::SpacePoints(SpacePoints { tangents: Some(_), .. }) = &document {
+        lost.push("tangents".to_owned());
+    }
     lost
 }
 
 /// Removes the settings that are drawn anyway.
 fn forget_usual(settings: &mut CurveSettings, implied: Option<Method>) {
-    let CurveSettings { method, closed, k0, bias, tension } = settings;
+    let CurveSettings { method, closed, k0, bias, tension, knots, start: _, end: _ } = settings;
     *method = method.filter(|method| Some(*method) != implied);
     *closed = closed.filter(|closed| *closed);
     *k0 = k0.filter(|k0| *k0 != 0.5);
     *bias = bias.filter(|bias| *bias != 1.0);
     *tension = tension.filter(|tension| *tension != 0.0);
+    *knots = knots.filter(|knots| *knots != Knots::default());
 }

@@ -107,7 +107,9 @@ impl NetDesign {
             (Method::Hermite, NetKind::Fhc) => return Ok(None),
             (_, NetKind::Fhc) => return Err(DesignError::OnlyHermite),
             (Method::Hermite, _) => return Err(DesignError::NeedsTwists),
-            (Method::Coons | Method::Fourier, _) => return Err(DesignError::ForCurves(method)),
+            (Method::Coons | Method::Fourier | Method::PhSpline | Method::PhHermite | Method::PhCubic, _) => {
+                return Err(DesignError::ForCurves(method));
+            }
             (Method::Pn | Method::PnThesis, kind) => {
                 let open = kind.topology() == Topology::Open;
                 return if open { Ok(None) } else { Err(DesignError::OpenOnly(method)) };

@@ -61,27 +61,6 @@ impl<const D: usize> Sketch<D> {
         self.settings.method.or(implied)
     }
 
-    /// The curve through or near the control points.
-    ///
-    /// # Errors
-    /// [`DesignError::NoMethod`] if none is named or implied, [`DesignError::Needs`] if the points do not have what
-    /// the method needs, and those of the geometry.
-    pub fn curve(&self) -> Result<Box<dyn ParamCurve<D>>, DesignError> {
-        let (closure, points) = (self.closure(), self.points.as_slice());
-        let method = self.method().ok_or(DesignError::NoMethod)?;
-        Ok(match (method, &self.tangents, &self.joints) {
-            (Method::Hermite, Some(tangents), _) => {
-                Box::new(Curve::Piecewise(hermite_arcs(closure, points, tangents)?))
-            }
-            (Method::Beta, _, Some(joints)) => Box::new(VaryingBeta::new(closure, points, joints)?),
-            _ => {
-                let Shape { bias, tension } = self.shape();
-                let formula = method.with(self.k0(), bias, tension).ok_or(DesignError::Needs(method))?;
-                Box::new(Curve::through(formula, closure, points)?)
-            }
-        })
-    }
-
     /// The same points by another method.
     #[must_use]
     pub fn by(&self, method: Method) -> Sketch<D> {
@@ -163,8 +142,30 @@ impl<const D: usize> Sketch<D> {
 
 impl<const D: usize> Sketch<D>
 where
-    Point<D>: Place,
+    Point<D>: Place<D>,
 {
+    /// The curve through or near the control points.
+    ///
+    /// # Errors
+    /// [`DesignError::NoMethod`] if none is named or implied, [`DesignError::Needs`] if the points do not have what
+    /// the method needs, [`DesignError::ForPlane`] in space, and those of the geometry.
+    pub fn curve(&self) -> Result<Box<dyn ParamCurve<D>>, DesignError> {
+        let (closure, points) = (self.closure(), self.points.as_slice());
+        let method = self.method().ok_or(DesignError::NoMethod)?;
+        Ok(match (method, &self.tangents, &self.joints) {
+            (Method::Hermite, Some(tangents), _) => {
+                Box::new(Curve::Piecewise(hermite_arcs(closure, points, tangents)?))
+            }
+            (Method::PhSpline | Method::PhHermite | Method::PhCubic, ..) => Point::<D>::ph(self, method)?,
+            (Method::Beta, _, Some(joints)) => Box::new(VaryingBeta::new(closure, points, joints)?),
+            _ => {
+                let Shape { bias, tension } = self.shape();
+                let formula = method.with(self.k0(), bias, tension).ok_or(DesignError::Needs(method))?;
+                Box::new(Curve::through(formula, closure, points)?)
+            }
+        })
+    }
+
     /// The sketch as a closed one without its last point, if that repeats the first and nothing is said about ends.
     #[must_use]
     pub fn closed_up(&self) -> Sketch<D> {
@@ -215,8 +216,8 @@ impl From<PlanePoints> for Sketch<2> {
 }
 
 impl From<SpacePoints> for Sketch<3> {
-    fn from(SpacePoints { points, settings }: SpacePoints) -> Sketch<3> {
-        Sketch { points, tangents: None, joints: None, settings }
+    fn from(SpacePoints { points, tangents, settings }: SpacePoints) -> Sketch<3> {
+        Sketch { points, tangents, joints: None, settings }
     }
 }
 
@@ -227,8 +228,8 @@ impl From<Sketch<2>> for Document {
 }
 
 impl From<Sketch<3>> for Document {
-    fn from(Sketch { points, settings, .. }: Sketch<3>) -> Document {
-        Document::SpacePoints(SpacePoints { points, settings })
+    fn from(Sketch { points, tangents, settings, .. }: Sketch<3>) -> Document {
+        Document::SpacePoints(SpacePoints { points, tangents, settings })
     }
 }
 

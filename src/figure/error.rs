@@ -64,6 +64,8 @@ pub enum FigureError {
     },
     /// The surface is not a B-spline surface, so it has no exact form in a file.
     NoExactForm,
+    /// Nothing is left that could be written.
+    NoCurve,
     /// The font or the PNG encoder failed, with its message.
     Encoding(String),
 }
@@ -115,6 +117,7 @@ impl fmt::Display for FigureError {
             Self::NoExactForm => f.write_str(
                 "the surface is no B-spline surface, so .step cannot hold it exactly; .obj, .stl and .ply hold a mesh of it",
             ),
+            Self::NoCurve => f.write_str("no part of the curve is left to be written; take a smaller distance"),
             Self::Encoding(message) => write!(f, "the picture cannot be encoded: {message}"),
         }
     }

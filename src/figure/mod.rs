@@ -1,6 +1,6 @@
 //! Pictures, tables and models for other programs: the screen as PNG, SVG or PDF, curves and surfaces with
 //! their control points as SVG, PNG or PDF, samples of them as CSV or JSON, surfaces as meshes (OBJ, STL, PLY) and
-//! exactly (STEP).
+//! exactly (STEP), rational curves of the plane exactly as well.
 //!
 //! A [`Figure`] is a picture in world coordinates, built once and written in any of the formats. This room turns
 //! values into bytes or text. It writes no files and does not decide what to draw.
@@ -34,12 +34,14 @@ mod mesh;
 mod model;
 mod number;
 mod pdf;
+mod ph;
 mod picture;
 mod plot;
 mod raster;
 mod screen_png;
 mod screen_shapes;
 mod step;
+mod step_curve;
 mod stl;
 mod svg;
 mod table;
@@ -50,12 +52,14 @@ pub use axes::Axes;
 pub use error::FigureError;
 pub use mesh::Mesh;
 pub use model::{MODEL_TOLERANCE, ModelFormat, ModelOptions};
+pub use ph::{CUT_INK, OFFSET_INK};
 pub use picture::{Figure, LARGEST_WIDTH, LONGEST_CAPTION, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
 pub use plot::{CURVE_INK, Hidden, closure, print_ink, tolerance};
 pub use screen_png::{LARGEST_SCALE, screen_png, screen_png_of_scale};
 pub use screen_shapes::{screen_pdf, screen_svg};
 pub use step::{surface_step, surfaces_step};
+pub use step_curve::{StepCurve, curves_step};
 pub use stl::Stl;
-pub use table::{CurveRow, curve_csv, curve_json, surface_csv, surface_json};
+pub use table::{CurveRow, curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
 pub use wireframe::{all_lines, visible_lines};
 pub use wrap::wrap;

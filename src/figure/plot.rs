@@ -59,6 +59,19 @@ impl Figure {
         self.plot_arcs(curve, |point| point, Style::line(ink, CURVE_WIDTH))
     }
 
+    /// Adds a plane curve by cubic arcs within a tolerance, in the unit of the points.
+    ///
+    /// # Errors
+    /// Those of [`ParamCurve::to_cubics`].
+    pub fn plot_curve_within(
+        &mut self,
+        curve: &dyn ParamCurve<2>,
+        ink: [u8; 3],
+        tolerance: f64,
+    ) -> Result<(), GeometryError> {
+        self.plot_arcs_within(curve, |point| point, Style::line(ink, CURVE_WIDTH), tolerance)
+    }
+
     /// Adds the projection of a space curve, with the tolerance of [`Figure::plot_curve`].
     ///
     /// # Errors
@@ -87,7 +100,17 @@ impl Figure {
         place: impl Fn(Point<D>) -> Point<2>,
         style: Style,
     ) -> Result<(), GeometryError> {
-        let arcs = curve.to_cubics(tolerance(curve.bounding_box()))?;
+        self.plot_arcs_within(curve, place, style, tolerance(curve.bounding_box()))
+    }
+
+    fn plot_arcs_within<const D: usize>(
+        &mut self,
+        curve: &dyn ParamCurve<D>,
+        place: impl Fn(Point<D>) -> Point<2>,
+        style: Style,
+        tolerance: f64,
+    ) -> Result<(), GeometryError> {
+        let arcs = curve.to_cubics(tolerance)?;
         // Whoever made the curve knows best; one that is open may return to its beginning all the same.
         let closure = if curve.closed() { Closure::Closed } else { closure(&arcs) };
         let seen = arcs.into_iter().map(|arc| CubicBezier { p: arc.p.map(&place) });

@@ -9,7 +9,7 @@ use crate::geometry::{BSplineSurface, ParamSurface, Point, Rim};
 use std::fmt::{self, Write};
 
 /// The highest degree that Open CASCADE, the kernel of FreeCAD, reads.
-const MOST_DEGREES: usize = 25;
+pub(super) const MOST_DEGREES: usize = 25;
 /// Samples per cell for telling the inside of a closed surface from the outside.
 const LOOK: usize = 4;
 
@@ -86,7 +86,7 @@ fn written(
 }
 
 /// The entities of a file: lines `#number=ENTITY(...);`.
-struct File {
+pub(super) struct File {
     name: String,
     about: String,
     data: String,
@@ -94,27 +94,27 @@ struct File {
 }
 
 /// The entity that holds the shape.
-type Representation = &'static str;
+pub(super) type Representation = &'static str;
 
 impl File {
-    fn new(name: &str, about: &str) -> Self {
+    pub(super) fn new(name: &str, about: &str) -> Self {
         Self { name: quoted(name), about: quoted(about), data: String::new(), count: 0 }
     }
 
     /// Adds an entity and returns its number.
-    fn add(&mut self, entity: impl fmt::Display) -> Id {
+    pub(super) fn add(&mut self, entity: impl fmt::Display) -> Id {
         self.count += 1;
         // Writing to a string cannot fail.
         let _ = writeln!(self.data, "#{}={entity};", self.count);
         Id(self.count)
     }
 
-    fn point(&mut self, [x, y, z]: Point<3>) -> Id {
+    pub(super) fn point(&mut self, [x, y, z]: Point<3>) -> Id {
         self.add(format_args!("CARTESIAN_POINT('',({},{},{}))", Real(x), Real(y), Real(z)))
     }
 
     /// Adds the product structure around the shape.
-    fn finish(mut self, item: Id, representation: Representation) -> String {
+    pub(super) fn finish(mut self, item: Id, representation: Representation) -> String {
         let name = self.name.clone();
         let application =
             self.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
@@ -291,7 +291,7 @@ fn line<T: Copy>(net: &[Vec<T>], across: usize, end: usize) -> Vec<T> {
 
 /// A reference to an entity.
 #[derive(Clone, Copy)]
-struct Id(usize);
+pub(super) struct Id(usize);
 
 impl fmt::Display for Id {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -299,7 +299,7 @@ impl fmt::Display for Id {
     }
 }
 
-struct Flag(bool);
+pub(super) struct Flag(pub(super) bool);
 
 impl fmt::Display for Flag {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -307,7 +307,7 @@ impl fmt::Display for Flag {
     }
 }
 
-struct List<'a, T>(&'a [T]);
+pub(super) struct List<'a, T>(pub(super) &'a [T]);
 
 impl<T: fmt::Display> fmt::Display for List<'_, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -319,13 +319,13 @@ impl<T: fmt::Display> fmt::Display for List<'_, T> {
     }
 }
 
-fn reals(values: &[f64]) -> Vec<Real> {
+pub(super) fn reals(values: &[f64]) -> Vec<Real> {
     values.iter().copied().map(Real).collect()
 }
 
 /// A number with the decimal point that STEP requires. It reads back as the same double, except for the sign of
 /// zero.
-struct Real(f64);
+pub(super) struct Real(f64);
 
 impl fmt::Display for Real {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -70,6 +70,57 @@ pub fn curve_json<const D: usize>(derivatives: usize, rows: impl Iterator<Item =
     text
 }
 
+/// A table of numbers as CSV, below a header of these names: rows of one number a column, and an empty field where there
+/// is none.
+///
+/// ```
+/// let rows = vec![vec![Some(0.0), Some(0.5), None]];
+/// let text = grafika::figure::quantity_csv(&["span", "u", "kappa"], &rows);
+/// assert_eq!(text, "span,u,kappa\n0,0.5,\n");
+/// ```
+#[must_use]
+pub fn quantity_csv(header: &[&str], rows: &[Vec<Option<f64>>]) -> String {
+    let mut text = header.join(",") + "\n";
+    for row in rows {
+        for (index, value) in row.iter().enumerate() {
+            // Writing to a string cannot fail, here and below.
+            let _ = write!(text, "{}", if index == 0 { "" } else { "," });
+            if let Some(value) = value {
+                let _ = write!(text, "{}", Number(*value));
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The rows of [`quantity_csv`] as a JSON array with an object a line; the first `counted` columns are integers, and
+/// `null` is where there is no number.
+///
+/// ```
+/// let rows = vec![vec![Some(0.0), Some(0.5), None]];
+/// let text = grafika::figure::quantity_json(&["span", "u", "kappa"], 1, &rows);
+/// assert_eq!(text, "[\n{\"span\":0,\"u\":0.5,\"kappa\":null}\n]\n");
+/// ```
+#[must_use]
+pub fn quantity_json(header: &[&str], counted: usize, rows: &[Vec<Option<f64>>]) -> String {
+    let mut text = String::from("[");
+    for (index, row) in rows.iter().enumerate() {
+        let fields = header.iter().zip(row).enumerate().map(|(column, (name, value))| {
+            let value = match value {
+                // Spans are counted from 0.
+                Some(value) if column < counted => Value::from(*value as u64),
+                value => Value::from(*value),
+            };
+            ((*name).to_owned(), value)
+        });
+        let row: Map<String, Value> = fields.collect();
+        let _ = write!(text, "{}{}", if index == 0 { "\n" } else { ",\n" }, Value::Object(row));
+    }
+    text.push_str("\n]\n");
+    text
+}
+
 /// Samples of a surface as CSV: the header `i,j,u,v,x,y,z` (spans from 0, parameters in them, the point),
 /// then a line each. Numbers have the fewest digits that read back as the same double.
 ///

@@ -29,6 +29,15 @@ pub(super) fn finite<const N: usize>(name: &str, points: &[[f64; N]]) -> Result<
     Ok(())
 }
 
+/// There is one for every point.
+pub(super) fn one_each(what: &str, count: usize, points: usize) -> Result<(), FileError> {
+    if count == points {
+        return Ok(());
+    }
+    let problem = format!("{count} {what} for {points} points; there must be one for every point");
+    Err(FileError::Invalid(problem))
+}
+
 /// The document has no settings, which no DOS file holds.
 pub(super) fn no_settings(format: Format, given: &impl Serialize) -> Result<(), FileError> {
     match settings::given(given).first() {

@@ -88,9 +88,9 @@ impl Document {
         match (self, format) {
             (Self::PlanePoints(PlanePoints { points, settings, .. }), Format::Ip3) => {
                 let points = points.into_iter().map(|[x, y]| [x, y, 0.0]).collect();
-                Self::SpacePoints(SpacePoints { points, settings })
+                Self::SpacePoints(SpacePoints { settings, ..SpacePoints::new(points) })
             }
-            (Self::SpacePoints(SpacePoints { points, settings }), Format::Ip2 | Format::Ic2)
+            (Self::SpacePoints(SpacePoints { points, settings, .. }), Format::Ip2 | Format::Ic2)
                 if points.iter().all(|&[_, _, z]| z == 0.0) =>
             {
                 let points = points.into_iter().map(|[x, y, _]| [x, y]).collect();

@@ -3,7 +3,7 @@
 use super::ec::EcDocument;
 use super::{
     BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, Patches, PlanePoints,
-    SpacePoints, Tangents, billiards, settings,
+    RationalSpans, SpacePoints, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -28,6 +28,8 @@ pub enum Document {
     Billiards(Box<Game>),
     /// `.KCT` to `.KCJ`: spaces, curves, surfaces and scenes of KC_TER.
     Ec(Box<EcDocument>),
+    /// `.RBC`: a rational curve of the plane.
+    Rational(Box<RationalSpans>),
     /// `.RBS`: rational Bézier patches, as offsets are written.
     Patches(Box<Patches>),
 }
@@ -103,6 +105,7 @@ impl Document {
             Self::CsangoCube(_) => Format::Csk,
             Self::Billiards(_) => Format::Bil,
             Self::Ec(document) => document.format(),
+            Self::Rational(_) => Format::Rbc,
             Self::Patches(_) => Format::Rbs,
         }
     }
@@ -123,6 +126,7 @@ impl Document {
             Self::CsangoCube(cube) => cube.check(),
             Self::Billiards(game) => game.check().map_err(|error| FileError::Invalid(error.to_string())),
             Self::Ec(document) => document.check(),
+            Self::Rational(spans) => spans.check(),
             Self::Patches(patches) => patches.check(),
         }
     }
@@ -140,6 +144,7 @@ impl Document {
             Self::CsangoCube(cube) => cube.describe(),
             Self::Billiards(game) => billiards::describe(game),
             Self::Ec(document) => document.describe(),
+            Self::Rational(spans) => spans.describe(),
             Self::Patches(patches) => patches.describe(),
         }
     }
@@ -157,6 +162,7 @@ impl Document {
             | Self::CsangoCube(_)
             | Self::Billiards(_)
             | Self::Ec(_)
+            | Self::Rational(_)
             | Self::Patches(_) => Vec::new(),
         }
     }
@@ -174,6 +180,7 @@ impl Document {
             | Self::CsangoCube(_)
             | Self::Billiards(_)
             | Self::Ec(_)
+            | Self::Rational(_)
             | Self::Patches(_) => {}
         }
         self

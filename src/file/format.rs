@@ -29,6 +29,7 @@ pub enum Format {
     Kcf,
     Kce,
     Kcj,
+    Rbc,
     Pn,
     Rbs,
 }
@@ -81,6 +82,7 @@ rows! {
     Kcf "KCF" None, "surface over extended Chebyshev spaces" "felület kiterjesztett Csebisev-térben";
     Kce "KCE" None, "coefficients of an exact description" "pontos leírás együtthatói";
     Kcj "KCJ" None, "scene of curves and surfaces" "görbék és felületek jelenete";
+    Rbc "RBC" None, "rational curve of the plane" "síkbeli racionális görbe";
     Pn "PN" None, "net of points with normals" "pontok hálója normálisokkal";
     Rbs "RBS" None, "rational Bézier patches" "racionális Bézier-foltok";
 }

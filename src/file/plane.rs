@@ -75,24 +75,14 @@ impl PlanePoints {
         check::finite("point", &self.points)?;
         if let Some(tangents) = &self.tangents {
             check::finite("tangent", tangents)?;
-            self.check_one_each("tangents", tangents.len())?;
+            check::one_each("tangents", tangents.len(), self.points.len())?;
         }
         if let Some(joints) = &self.joints {
             let values: Vec<_> = joints.iter().map(|shape| [shape.bias, shape.tension]).collect();
             check::finite("joint", &values)?;
-            self.check_one_each("joints", joints.len())?;
+            check::one_each("joints", joints.len(), self.points.len())?;
         }
         Ok(())
-    }
-
-    fn check_one_each(&self, what: &str, count: usize) -> Result<(), FileError> {
-        if count == self.points.len() {
-            return Ok(());
-        }
-        Err(FileError::Invalid(format!(
-            "{count} {what} for {} points; there must be one for every point",
-            self.points.len()
-        )))
     }
 
     pub(super) fn describe(&self) -> Vec<String> {

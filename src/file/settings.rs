@@ -1,5 +1,6 @@
 //! How a document is to be drawn: what the DOS programs ask at every start and JSON remembers.
 
+use crate::geometry::ph::Knots;
 use serde::{Deserialize, Serialize};
 
 /// A method of interpolation or approximation.
@@ -26,6 +27,12 @@ pub enum Method {
     Hermite,
     /// Fourier series (2.8).
     Fourier,
+    /// The C2 Pythagorean-hodograph quintic spline through the points of the plane.
+    PhSpline,
+    /// Pythagorean-hodograph quintics with given tangents, in the plane or in space.
+    PhHermite,
+    /// Pythagorean-hodograph cubics with given directions of the tangents.
+    PhCubic,
     /// Pythagorean normals: through points with unit normals, in standard position.
     Pn,
     /// Pythagorean normals by the thesis's method on the data as they are.
@@ -35,7 +42,7 @@ pub enum Method {
 
 impl Method {
     /// Every method with its name in JSON and on command lines.
-    pub const ALL: [(&'static str, Self); 11] = [
+    pub const ALL: [(&'static str, Self); 14] = [
         ("coons", Self::Coons),
         ("bezier", Self::Bezier),
         ("spline", Self::Spline),
@@ -45,6 +52,9 @@ impl Method {
         ("local", Self::Local),
         ("hermite", Self::Hermite),
         ("fourier", Self::Fourier),
+        ("phspline", Self::PhSpline),
+        ("phhermite", Self::PhHermite),
+        ("phcubic", Self::PhCubic),
         ("pn", Self::Pn),
         ("pn-thesis", Self::PnThesis),
     ];
@@ -62,7 +72,13 @@ impl Method {
             Self::BSpline3 => Method::BSpline3,
             Self::Beta => Method::Beta { bias, tension },
             Self::Local => Method::Local { k0 },
-            Self::Hermite | Self::Fourier | Self::Pn | Self::PnThesis => return None,
+            Self::Hermite
+            | Self::Fourier
+            | Self::PhSpline
+            | Self::PhHermite
+            | Self::PhCubic
+            | Self::Pn
+            | Self::PnThesis => return None,
         })
     }
 
@@ -98,6 +114,15 @@ pub struct CurveSettings {
     /// Tension of a beta-spline (half of Barsky's).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension: Option<f64>,
+    /// The rule for the knots of a PH spline.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub knots: Option<Knots>,
+    /// The derivative at the start of an open PH spline, in units per knot, with knot steps whose mean is 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<[f64; 2]>,
+    /// The derivative at the end of an open PH spline.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end: Option<[f64; 2]>,
 }
 
 /// How a surface is drawn; every part may be missing. Pairs are for the directions u and v.

@@ -22,6 +22,9 @@ pub const SPACE_VIEW: [f64; 3] = [0.7, 0.2, 0.3];
 pub struct SpacePoints {
     /// The points in order.
     pub points: Vec<[f64; 3]>,
+    /// The full tangent vector at each point, if the curve has its own; only JSON holds this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tangents: Option<Vec<[f64; 3]>>,
     /// How the curve is drawn; only JSON holds this.
     #[serde(default, skip_serializing_if = "CurveSettings::is_empty")]
     pub settings: CurveSettings,
@@ -35,15 +38,21 @@ impl SpacePoints {
     }
 
     /// # Errors
-    /// [`FileError::Invalid`] when a number is not finite.
+    /// [`FileError::Invalid`] when a number is not finite or the tangents are not as many as the points.
     pub(super) fn check(&self) -> Result<(), FileError> {
-        check::finite("point", &self.points)
+        check::finite("point", &self.points)?;
+        if let Some(tangents) = &self.tangents {
+            check::finite("tangent", tangents)?;
+            check::one_each("tangents", tangents.len(), self.points.len())?;
+        }
+        Ok(())
     }
 
     pub(super) fn describe(&self) -> Vec<String> {
         let mut lines = vec![check::counted(self.points.len(), "control point in space")];
         lines.extend(Bounds::of(self.points.iter()).map(|bounds| bounds.describe()));
         lines.extend(check::table("point", &self.points));
+        lines.extend(self.tangents.iter().flat_map(|tangents| check::table("tangent", tangents)));
         lines.extend(settings::describe(&self.settings));
         lines
     }
@@ -64,6 +73,9 @@ impl SpacePoints {
     /// drawing order are those of the first view.
     pub(super) fn write(&self) -> Result<Vec<u8>, FileError> {
         let format = Format::Ip3;
+        if self.tangents.is_some() {
+            return Err(FileError::misfit(format, "the tangents have no place there"));
+        }
         check::no_settings(format, &self.settings)?;
         check::at_most(format, self.points.len())?;
         let view = View::from_direction(SPACE_VIEW);

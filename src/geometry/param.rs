@@ -184,7 +184,7 @@ pub(super) fn measured<const D: usize>(curve: &(impl ParamCurve<D> + ?Sized), ac
 }
 
 /// A span as a function of its parameter.
-type Span<'a, T> = &'a dyn Fn(f64) -> Option<T>;
+pub(super) type Span<'a, T> = &'a dyn Fn(f64) -> Option<T>;
 
 /// Steps between which the extreme points of a span are searched.
 const BOX_STEPS: u32 = 16;
@@ -236,7 +236,7 @@ const SHORTEST_ARC: f64 = 1e-6;
 const COMPARED: [f64; 5] = [0.125, 0.25, 0.5, 0.75, 0.875];
 
 /// Adds the arcs of a span, which is halved until each of them is near enough.
-fn add_cubics<const D: usize>(
+pub(super) fn add_cubics<const D: usize>(
     at: Span<'_, Point<D>>,
     tolerance: f64,
     arcs: &mut Vec<CubicBezier<D>>,

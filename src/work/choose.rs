@@ -105,7 +105,8 @@ fn lines_of(document: &Document) -> Vec<Vec<Point<2>>> {
                 Some(if plane.tangents.is_some() { Method::Hermite } else { Method::Spline });
         }
         Document::SpacePoints(space) => {
-            space.settings.method = space.settings.method.or(Some(Method::Spline));
+            let usual = if space.tangents.is_some() { Method::Hermite } else { Method::Spline };
+            space.settings.method = space.settings.method.or(Some(usual));
         }
         _ => {}
     }

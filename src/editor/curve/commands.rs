@@ -27,7 +27,7 @@ pub(super) fn k0_note(k0: f64) -> String {
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// Carries out a command. After some of them the original offers automatic tangents.
     pub(super) async fn carry_out(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {

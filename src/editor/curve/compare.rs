@@ -47,7 +47,7 @@ impl Kind {
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// Chooses which curves are shown together, each in its colour.
     pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Asked<()> {

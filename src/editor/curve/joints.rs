@@ -17,7 +17,7 @@ use serde::Serialize;
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// Asks for a joint and gives it a shape of its own.
     pub(super) async fn change_joint(&mut self, desk: &mut Desk<'_>) -> Asked<()> {

@@ -193,7 +193,7 @@ fn steps(method: Method) -> usize {
 impl<const D: usize> Craft<D> for Curves<D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     type Value = Sketch<D>;
     type Handle = Handle;
@@ -431,7 +431,10 @@ where
     }
 }
 
-impl<const D: usize> Curves<D> {
+impl<const D: usize> Curves<D>
+where
+    Point<D>: Place<D>,
+{
     /// The sketch as the program draws it, if there is a curve.
     fn curve(&self, sketch: &Sketch<D>) -> Option<Sketch<D>> {
         let method = sketch.method().or(self.tools.implied()).or(self.usual)?;

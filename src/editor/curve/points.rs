@@ -23,7 +23,7 @@ const REACH: i32 = 5;
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// How many points there are.
     pub(super) fn count(&self) -> usize {

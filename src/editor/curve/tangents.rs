@@ -16,7 +16,7 @@ use serde::Serialize;
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// Asks whether to compute the tangents.
     pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Asked<()> {

@@ -28,7 +28,7 @@ const LEFT: i32 = 214;
 impl<const D: usize> Editor<Curves<D>, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     /// The key F5: shows the curves and the smoothed points. Enter adopts the points, Esc changes nothing.
     pub(super) async fn open_workshop(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
@@ -79,7 +79,7 @@ where
 struct Workshop<'e, const D: usize>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     editor: &'e Editor<Curves<D>, D>,
     smoothed: &'e Smoothed<D>,
@@ -88,7 +88,7 @@ where
 impl<const D: usize> Picture for Workshop<'_, D>
 where
     Curves<D>: Ambient<D>,
-    Point<D>: Place + Serialize,
+    Point<D>: Place<D> + Serialize,
 {
     fn draw(&self, screen: &mut Screen, language: Language) {
         self.editor.draw(screen, language);

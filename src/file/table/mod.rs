@@ -119,10 +119,11 @@ impl Document {
             {
                 Ok(written(PLANE_HEADER, points))
             }
-            Self::SpacePoints(SpacePoints { points, settings }) if settings.is_empty() => {
+            Self::SpacePoints(SpacePoints { points, tangents: None, settings }) if settings.is_empty() => {
                 Ok(written(SPACE_HEADER, points))
             }
-            Self::PlanePoints(PlanePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
+            Self::PlanePoints(PlanePoints { tangents: Some(_), .. })
+            | Self::SpacePoints(SpacePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
             Self::PlanePoints(PlanePoints { joints: Some(_), .. }) => Err(misfit("shapes of joints")),
             Self::PlanePoints(_) | Self::SpacePoints(_) => Err(misfit("settings")),
             _ => Err(misfit(self.format().english())),

@@ -1,6 +1,7 @@
 //! A planar PH curve: a row of segments, what is measured on it, and the places of what is found on it.
 
 use super::length::Lengths;
+use super::rational::RationalArc;
 use super::segment::PhSegment;
 use crate::geometry::method::Closure;
 use crate::geometry::{GeometryError, ParamCurve, Point};
@@ -57,6 +58,15 @@ impl PhCurve {
     #[must_use]
     pub fn segments(&self) -> &[PhSegment] {
         &self.segments
+    }
+
+    /// The curve as rational arcs, one a span, with all weights 1: as its offsets have them.
+    #[must_use]
+    pub fn arcs(&self) -> Vec<RationalArc> {
+        let arc = |segment: &PhSegment| {
+            RationalArc::new(segment.control().into_iter().map(|[x, y]| [x, y, 1.0]).collect())
+        };
+        self.segments.iter().map(arc).collect()
     }
 
     /// The exact length of the whole curve.

@@ -8,11 +8,14 @@
 //!   [`PhCurve::cubics`] with directions (G1). All are [`PhSegment`]s in a row.
 //! - Offsets: [`PhCurve::offset`], positive distances to the left of the direction of travel; an [`Offset`] knows its
 //!   exact rational form, cusps and length, and [`Offset::trimmed`] says which parts keep their distance.
+//!   [`Offset::approximated`] gives approximations of other programs for comparison.
 //! - Space: [`SpacePhCurve::hermite`], with Euler-Rodrigues and rotation-minimising frames.
 
 mod banded;
 mod bernstein;
 mod choice;
+mod chords;
+mod compare;
 mod complex;
 mod crossings;
 mod cubic;
@@ -21,9 +24,11 @@ mod frame;
 mod hermite;
 mod length;
 mod offset;
+mod part;
 mod quadrature;
 mod quaternion;
 mod rational;
+mod rational_curve;
 mod roots;
 mod segment;
 mod solver;
@@ -36,10 +41,14 @@ mod testing;
 mod trim;
 mod turning;
 
+pub use chords::chords;
+pub use compare::{ApproximateOffset, Rule};
 pub use crossings::Crossing;
 pub use curve::{CurvatureExtremum, PhCurve, Place};
 pub use offset::Offset;
+pub use part::OffsetPart;
 pub use rational::RationalArc;
+pub use rational_curve::RationalCurve;
 pub use segment::PhSegment;
 pub use space::SpacePhSegment;
 pub use space_curve::SpacePhCurve;

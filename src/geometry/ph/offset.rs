@@ -6,10 +6,11 @@ use super::curve::{PhCurve, Place};
 use super::rational::RationalArc;
 use super::roots::roots;
 use super::segment::PhSegment;
+use crate::geometry::cubic::check_arcs;
 use crate::geometry::method::Closure;
-use crate::geometry::param::clipped;
+use crate::geometry::param::{check_tolerance, clipped};
 use crate::geometry::point::within_limit;
-use crate::geometry::{COORDINATE_LIMIT, GeometryError, ParamCurve, Point};
+use crate::geometry::{COORDINATE_LIMIT, CubicBezier, GeometryError, ParamCurve, Point};
 
 /// The offset of a planar PH curve at a signed distance: `r + d n` with the unit normal `n` to the left.
 ///
@@ -160,6 +161,16 @@ impl ParamCurve<2> for Offset {
 
     fn eval(&self, span: usize, u: f64) -> Option<Point<2>> {
         self.curve.segments().get(span).map(|segment| self.moved(segment, u)[0].point())
+    }
+
+    /// Arcs end at cusps and at the inflections of the curve.
+    fn to_cubics(&self, tolerance: f64) -> Result<Vec<CubicBezier<2>>, GeometryError> {
+        check_tolerance(tolerance)?;
+        let mut arcs = Vec::new();
+        for span in 0..self.curve.spans() {
+            self.add_cubics_of((span, [0.0, 1.0]), tolerance, &mut arcs)?;
+        }
+        check_arcs(arcs)
     }
 
     /// The exact length, whatever the accuracy asked for.

@@ -14,7 +14,9 @@ pub struct RationalArc {
 const HALVINGS: u32 = 24;
 
 impl RationalArc {
-    pub(super) fn new(points: Vec<[f64; 3]>) -> Self {
+    /// The curve by its homogeneous control points.
+    #[must_use]
+    pub fn new(points: Vec<[f64; 3]>) -> Self {
         Self { points }
     }
 
@@ -48,6 +50,18 @@ impl RationalArc {
             let points = x[part].iter().zip(&y[part]).zip(&weight[part]);
             Self::new(points.map(|((&x, &y), &weight)| [x, y, weight]).collect())
         })
+    }
+
+    /// The part over a range of `u` in [0, 1]; `None` for a range of no length.
+    #[must_use]
+    pub fn part(&self, [from, to]: [f64; 2]) -> Option<Self> {
+        let [from, to] = [from, to].map(crate::geometry::param::clipped);
+        if from >= to {
+            return None;
+        }
+        let [before, _] = if to < 1.0 { self.split(to) } else { [self.clone(), self.clone()] };
+        let [_, part] = if from > 0.0 { before.split(from / to) } else { [before.clone(), before] };
+        Some(part)
     }
 
     /// The same curve in pieces with positive weights only, as files of other programs want them, each with the

@@ -14,9 +14,11 @@ use crate::geometry::hermite::check_input;
 use crate::geometry::method::Closure;
 use crate::geometry::point::{check_points, norm, scaled_difference};
 use crate::geometry::{GeometryError, Point};
+use serde::{Deserialize, Serialize};
 
 /// How the knot steps of a spline follow from its points. They are scaled so that their mean is 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Knots {
     /// As long as the chords: the rule that makes the fewest loops where chords are uneven.
     #[default]
@@ -43,6 +45,18 @@ pub enum SplineEnds {
     Open([SplineEnd; 2]),
     /// None: the last point is followed by the first.
     Closed,
+}
+
+impl Knots {
+    /// Every rule with its name in JSON and on command lines.
+    pub const ALL: [(&'static str, Self); 3] =
+        [("chord", Self::Chord), ("uniform", Self::Uniform), ("centripetal", Self::Centripetal)];
+
+    /// The rule of a name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, _)| *known == name).map(|&(_, knots)| knots)
+    }
 }
 
 impl SplineEnds {
