@@ -6,10 +6,12 @@
 //! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
 //! Fourier curve (2.2) near `A.IP2`. `A.CSK` and `B.CSK` are two finished Csángó
 //! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`, those of KC_TER in
-//! `make_samples/spaces.rs`. The same bytes come out every time.
+//! `make_samples/spaces.rs`, those of PH_GORBE in `make_samples/offsets.rs`. The same bytes come out every time.
 
 #[path = "make_samples/nets.rs"]
 mod nets;
+#[path = "make_samples/offsets.rs"]
+mod offsets;
 #[path = "make_samples/spaces.rs"]
 mod spaces;
 
@@ -58,7 +60,8 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let single = single.into_iter().map(|(name, bytes)| Ok((name, bytes?)));
     let nets = nets::samples()?.into_iter().map(Ok);
     let spaces = spaces::samples()?.into_iter().map(Ok);
-    plane.chain(space).chain(cubes).chain(single).chain(nets).chain(spaces).collect()
+    let offsets = offsets::samples()?.into_iter().map(Ok);
+    plane.chain(space).chain(cubes).chain(single).chain(nets).chain(spaces).chain(offsets).collect()
 }
 
 /// A finished Csángó cube where the program builds it: the first filling that a search of this seed finds.

@@ -89,6 +89,18 @@ pub const THESIS: Group = Group {
     ),
 };
 
+/// Curves and surfaces with exact offsets.
+pub const OFFSETS: Group = Group {
+    folder: "PARHUZAM",
+    id: "parhuzam",
+    chapter: "P",
+    name: Words("Pontos párhuzamosok", "Exact offsets"),
+    about: Words(
+        "Görbék és felületek, amelyek párhuzamosa is pontosan leírható: szerszámpályák, falak, héjak.",
+        "Curves and surfaces whose offsets are exact too: paths of tools, walls, shells.",
+    ),
+};
+
 /// Games and puzzles.
 pub const GAMES: Group = Group {
     folder: "JATEK",
@@ -114,12 +126,12 @@ pub const INSTALLER: Group = Group {
 };
 
 /// Every group in the order of the book.
-pub const GROUPS: [&Group; 9] =
-    [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &GAMES, &INSTALLER];
+pub const GROUPS: [&Group; 10] =
+    [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &OFFSETS, &GAMES, &INSTALLER];
 
 /// Every group in the order of the menu: it begins with what shows at once what it is.
-pub const MENU: [&Group; 9] =
-    [&PLANE_CURVES, &GAMES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &CURSORS, &INSTALLER];
+pub const MENU: [&Group; 10] =
+    [&PLANE_CURVES, &GAMES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &OFFSETS, &CURSORS, &INSTALLER];
 
 impl PartialEq for Group {
     /// Groups are told apart by their folders.
@@ -134,11 +146,21 @@ impl Group {
         ALL.iter().filter(move |program| program.group == self)
     }
 
-    /// The built-in samples that its programs open: name and content.
+    /// The built-in samples that its programs open: name and content. A JSON file goes with the file of its name.
     pub fn samples(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> + '_ {
         let opens = |format: Format| self.programs().any(|program| program.opens.contains(&format));
-        SAMPLES.iter().copied().filter(move |(name, _)| Format::from_name(name).is_some_and(opens))
+        SAMPLES.iter().copied().filter(move |(name, _)| format_of(name).is_some_and(opens))
     }
+}
+
+/// The format of a sample; that of a JSON file is the one of the file beside it.
+fn format_of(name: &str) -> Option<Format> {
+    let beside = |(stem, extension): (&str, &str)| {
+        let twin = |other: &&str| *other != name && other.rsplit_once('.').is_some_and(|(it, _)| it == stem);
+        let json = extension.eq_ignore_ascii_case("JSON");
+        json.then(|| SAMPLES.iter().map(|(name, _)| *name).find(twin).and_then(Format::from_name)).flatten()
+    };
+    Format::from_name(name).or_else(|| name.rsplit_once('.').and_then(beside))
 }
 
 #[cfg(test)]
@@ -146,10 +168,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_sample_is_in_one_group() {
+    fn every_sample_is_in_a_group() {
         let grouped: Vec<&str> =
             GROUPS.iter().flat_map(|group| group.samples().map(|(name, _)| name)).collect();
-        assert_eq!(grouped.len(), SAMPLES.len());
+        // Points of curves belong to the programs of two groups.
+        assert!(grouped.len() >= SAMPLES.len());
         assert!(SAMPLES.iter().all(|(name, _)| grouped.contains(name)));
     }
 

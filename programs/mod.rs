@@ -24,6 +24,7 @@ pub mod groups;
 pub mod gyongy_k;
 pub mod kc_ter;
 pub mod menu;
+pub mod ph_gorbe;
 mod puzzles;
 #[cfg(feature = "native")]
 pub mod telepit;
@@ -69,6 +70,7 @@ pub const ALL: &[Program] = &[
     zy_betsp::PROGRAM,
     zy_hspl::PROGRAM,
     kc_ter::PROGRAM,
+    ph_gorbe::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,

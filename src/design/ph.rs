@@ -20,6 +20,17 @@ impl Sketch<2> {
     }
 }
 
+impl<const D: usize> Sketch<D> {
+    /// The tangents of the PH curves that need some: the sketch's own ones, else those of the cubic spline, or with a
+    /// `k0` the automatic ones of Coons curves.
+    ///
+    /// # Errors
+    /// Too few points, or a bad coordinate.
+    pub fn ph_tangents(&self) -> Result<Vec<Point<D>>, GeometryError> {
+        tangents(self)
+    }
+}
+
 impl Sketch<3> {
     /// The PH curve in space by the sketch's own method, which must be phhermite. Tangents as in
     /// [`Sketch::ph_curve`].

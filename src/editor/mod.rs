@@ -42,6 +42,10 @@ trait Craft<const D: usize>: Sized + 'static {
 
     /// The format of its files.
     fn format(&self) -> Format;
+    /// The formats that its files may have; the first is that of this value.
+    fn formats(&self, _: &Self::Value) -> Vec<Format> {
+        vec![self.format()]
+    }
     /// The commands.
     fn commands(&self) -> Commands<Self::Action>;
     /// The lens of a new configuration.
@@ -172,7 +176,17 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
     type Value = C::Value;
 
     fn format(&self) -> Format {
-        self.craft.format()
+        self.craft.formats(self.history.now()).first().copied().unwrap_or(self.craft.format())
+    }
+
+    fn extensions(&self) -> Vec<&'static str> {
+        self.craft.formats(self.history.now()).into_iter().map(Format::extension).collect()
+    }
+
+    fn format_of(&self, name: &str) -> Format {
+        let named = Format::from_name(name);
+        let known = |format: &Format| self.craft.formats(self.history.now()).contains(format);
+        named.filter(known).unwrap_or(self.format())
     }
 
     fn history(&mut self) -> &mut History<C::Value> {

@@ -12,7 +12,7 @@ use crate::ui::{self, Hint, Picture, TOP};
 
 /// The parts of the screen where a craft draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Layer {
+pub enum Layer {
     /// In the picture, under the items.
     Under,
     /// In the picture, over the items.
@@ -28,9 +28,11 @@ pub(super) enum Layer {
 }
 
 /// What is drawn on.
-pub(super) struct Page<'s> {
-    pub(super) screen: &'s mut Screen,
-    pub(super) language: Language,
+pub struct Page<'s> {
+    /// The screen.
+    pub screen: &'s mut Screen,
+    /// The language of its texts.
+    pub language: Language,
 }
 
 impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {

@@ -55,6 +55,11 @@ pub trait Work: Picture {
         vec![extension(Some(self.format()))]
     }
 
+    /// The format of the stored file of a name.
+    fn format_of(&self, _name: &str) -> Format {
+        self.format()
+    }
+
     /// The edited value with its history.
     fn history(&mut self) -> &mut History<Self::Value>;
 
@@ -128,7 +133,7 @@ pub trait Work: Picture {
     /// # Errors
     /// What is wrong with the file.
     fn read(&mut self, storage: &mut dyn Storage, name: &str) -> Result<(), Phrase> {
-        let (document, _) = with_twin(read_document(storage, name, self.format())?, storage, name);
+        let (document, _) = with_twin(read_document(storage, name, self.format_of(name))?, storage, name);
         self.open(&with_json(document, storage, name))
     }
 

@@ -4,7 +4,7 @@ use super::ask::{FEWEST, METHODS, ask_closure, ask_coefficient, ask_method};
 use super::tables::Action;
 use super::{Ambient, Curves, Tools, beta};
 use crate::design::Place;
-use crate::editor::picture::Page;
+use crate::editor::picture::{Layer as Part, Page};
 use crate::editor::stage::Stage;
 use crate::editor::{Editor, refusal};
 use crate::geometry::Point;
@@ -55,6 +55,7 @@ where
             Action::Workshop => self.open_workshop(desk).await?,
             Action::ShapeJoint => self.change_joint(desk).await?,
             Action::JointsAlike => self.make_joints_alike(desk),
+            Action::Own(command) => return self.obey_layer(desk, command).await,
             Action::Quit => {
                 let next = quit(self, desk).await?;
                 if Curves::<D>::STORE.is_none() {
@@ -120,6 +121,7 @@ where
         let note = match self.craft.tools {
             Tools::Methods => NOTE_AT,
             Tools::Tangents => TANGENTS_NOTE_AT,
+            Tools::Own => return None,
             Tools::Beta => return beta::value_at(at, [Action::Bias, Action::Tension]),
         };
         let letters = i32::try_from(self.craft.note.as_ref()?.chars().count()).ok()?;
@@ -154,6 +156,7 @@ where
                 page.screen.text(134, 10, words::COONS_ACCENTS.of(language), Color::Black);
                 page.screen.text(TANGENTS_NOTE_AT.0, TANGENTS_NOTE_AT.1, note, Color::Black);
             }
+            Tools::Own => self.paint_layer(Part::Titles, page),
             Tools::Beta => beta::draw_values(page.screen, self.history.now().shape(), language),
         }
     }

@@ -8,6 +8,7 @@ pub(super) mod beta;
 mod commands;
 mod compare;
 mod joints;
+pub mod layer;
 mod points;
 mod tables;
 mod tangents;
@@ -17,7 +18,7 @@ pub use tables::{BETA_KEYS, METHOD_KEYS, SPACE_BETA_KEYS, SPACE_METHOD_KEYS, TAN
 
 use super::field::on_disc;
 use super::lens::{Field, Held, Lens};
-use super::picture::{Layer, Page};
+use super::picture::{Layer as Part, Page};
 use super::refusal;
 use super::seen::{Item, TIP_RADIUS};
 use super::stage::Stage;
@@ -25,14 +26,14 @@ use super::{Craft, Editor};
 use crate::design::{Edit, Place, Sketch};
 use crate::file::{Document, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point};
-use crate::machine::{Asked, Manner};
+use crate::machine::{Asked, Manner, Tick};
 use crate::screen::Color;
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase, Words};
 use crate::ui::{Answer, Commands, Desk, Hint, Manual, Question, Start, Stay};
 use crate::work::Next;
-use ask::FEWEST;
 use compare::Kind;
+use layer::Layer;
 use serde::Serialize;
 use tables::Action;
 
@@ -45,13 +46,15 @@ pub enum Tools {
     Tangents,
     /// The beta-spline with bias and tension.
     Beta,
+    /// What a program's own layer has.
+    Own,
 }
 
 impl Tools {
     /// The method of a program that has only one.
     fn implied(self) -> Option<Method> {
         match self {
-            Tools::Methods => None,
+            Tools::Methods | Tools::Own => None,
             Tools::Tangents => Some(Method::Hermite),
             Tools::Beta => Some(Method::Beta),
         }
@@ -74,9 +77,35 @@ pub fn space(manual: Manual, tools: Tools, document: Option<Document>) -> Result
     super::start(Curves::<3>::new(tools), manual, document)
 }
 
+/// Prepares the editor of plane curves with a program's own layer.
+///
+/// # Errors
+/// The reason why it cannot open the document.
+pub fn plane_with(
+    manual: Manual,
+    layer: Box<dyn Layer<2>>,
+    document: Option<Document>,
+) -> Result<Start, Phrase> {
+    super::start(Curves { layer: Some(layer), ..Curves::<2>::new(Tools::Own) }, manual, document)
+}
+
+/// Prepares the editor of curves in space with a program's own layer.
+///
+/// # Errors
+/// The reason why it cannot open the document.
+pub fn space_with(
+    manual: Manual,
+    layer: Box<dyn Layer<3>>,
+    document: Option<Document>,
+) -> Result<Start, Phrase> {
+    super::start(Curves { layer: Some(layer), ..Curves::<3>::new(Tools::Own) }, manual, document)
+}
+
 /// The [`Craft`] of curves.
 struct Curves<const D: usize> {
     tools: Tools,
+    /// What the program adds.
+    layer: Option<Box<dyn Layer<D>>>,
     /// The method of documents that name none, in the manner of today.
     usual: Option<Method>,
     /// Curves that are shown besides the chosen one.
@@ -96,6 +125,7 @@ impl<const D: usize> Curves<D> {
     fn new(tools: Tools) -> Curves<D> {
         Curves {
             tools,
+            layer: None,
             usual: None,
             compared: Vec::new(),
             measured: false,
@@ -140,7 +170,7 @@ trait Ambient<const D: usize>: Sized {
         None
     }
     /// Draws the layers that differ.
-    fn draw(editor: &Editor<Curves<D>, D>, layer: Layer, page: &mut Page<'_>)
+    fn draw(editor: &Editor<Curves<D>, D>, layer: Part, page: &mut Page<'_>)
     where
         Curves<D>: Craft<D>;
 }
@@ -154,6 +184,8 @@ enum Handle {
     Tip(usize),
     /// A new point, which will have this index.
     New(usize),
+    /// What is the program's own.
+    Own,
 }
 
 /// The model as `dump` writes it. Angles are in degrees.
@@ -171,6 +203,8 @@ struct Model<P> {
     k0: f64,
     visible: bool,
     compared: Vec<Kind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    own: Option<serde_json::Value>,
     unsaved: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     azimuth: Option<f64>,
@@ -204,8 +238,18 @@ where
         <Self as Ambient<D>>::format(self.tools)
     }
 
+    fn formats(&self, sketch: &Sketch<D>) -> Vec<Format> {
+        match &self.layer {
+            Some(layer) => layer.formats(sketch),
+            None => vec![self.format()],
+        }
+    }
+
     fn commands(&self) -> Commands<Action> {
-        <Self as Ambient<D>>::commands(self.tools)
+        match &self.layer {
+            Some(layer) => layer.commands(),
+            None => <Self as Ambient<D>>::commands(self.tools),
+        }
     }
 
     fn lens(&self) -> Self::Lens {
@@ -233,6 +277,11 @@ where
         let mut sketch = sketch.fitting().map_err(|error| refusal::of_curve(&error))?;
         sketch.settings.bias = sketch.settings.bias.or(before.settings.bias);
         sketch.settings.tension = sketch.settings.tension.or(before.settings.tension);
+        if let Some(layer) = &self.layer {
+            let completed = layer.completed(sketch.clone());
+            let remark = (completed != sketch).then(|| words::NO_TANGENTS.into());
+            return Ok((completed, remark));
+        }
         if self.tools != Tools::Tangents || sketch.tangents.is_some() {
             return Ok((sketch, None));
         }
@@ -254,7 +303,7 @@ where
     }
 
     fn has_shape(editor: &Editor<Self, D>) -> bool {
-        editor.count() >= FEWEST && editor.drawn().curve().is_ok()
+        editor.count() >= editor.fewest() && editor.drawn().curve().is_ok()
     }
 
     fn hint(editor: &Editor<Self, D>) -> Option<Hint> {
@@ -284,6 +333,7 @@ where
             k0: sketch.k0(),
             visible: editor.shown.visible,
             compared: editor.craft.compared.clone(),
+            own: editor.craft.layer.as_ref().map(|layer| layer.model(&editor.scene())),
             unsaved: editor.history.unsaved(),
             azimuth,
             elevation,
@@ -296,6 +346,7 @@ where
             Handle::Point(index) => sketch.points.get(index).copied().or(Self::STORE),
             Handle::Tip(index) => sketch.tip(index),
             Handle::New(_) => None,
+            Handle::Own => Some([0.0; D]),
         }
     }
 
@@ -311,6 +362,7 @@ where
             (Handle::Point(index) | Handle::New(index), true) => sketch.edited(Edit::Insert(index, at)),
             (Handle::Point(_) | Handle::New(_), false) => sketch.clone(),
             (Handle::Tip(index), _) => sketch.with_tip(index, at),
+            (Handle::Own, _) => sketch.clone(),
         }
     }
 
@@ -323,23 +375,25 @@ where
         let under = |&index: &usize| sketch.points.get(index).is_some_and(|&it| on_disc(lens.pixel(it), at));
         let order = lens.order(&sketch.points);
         let on_tip = |&index: &usize| {
-            sketch.tip(index).is_some_and(|tip| {
+            editor.tip(index).is_some_and(|tip| {
                 let (x, y) = lens.pixel(tip);
                 (x - at.0).pow(2) + (y - at.1).pow(2) <= TIP_RADIUS.pow(2)
             })
         };
         let point = order.iter().rev().copied().find(under);
-        point.map(Handle::Point).or_else(|| order.iter().rev().copied().find(on_tip).map(Handle::Tip))
+        let tip = || order.iter().rev().copied().find(on_tip).map(Handle::Tip);
+        point.map(Handle::Point).or_else(tip).or_else(|| editor.layer_grips(at).then_some(Handle::Own))
     }
 
     fn seen(editor: &Editor<Self, D>) -> Vec<Item<D>> {
-        let mut items = editor.curves_seen();
+        let mut items = editor.layer_traces();
+        items.extend(editor.curves_seen());
         editor.add_points(&mut items);
         items
     }
 
     fn forget(editor: &mut Editor<Self, D>) {
-        let ready = editor.count() >= FEWEST;
+        let ready = editor.count() >= editor.fewest();
         let craft = &mut editor.craft;
         (craft.pointed_out, craft.note) = (None, None);
         craft.offer = (craft.tools == Tools::Tangents && ready).then_some(Stage::Working);
@@ -362,6 +416,10 @@ where
         editor.value_shown_at(at)
     }
 
+    fn looked(editor: &mut Editor<Self, D>, _: &mut Desk<'_>, tick: &Tick) -> bool {
+        editor.layer_watches(tick)
+    }
+
     async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
         editor.carry_out(desk, action).await
     }
@@ -372,10 +430,17 @@ where
         held: Held<Handle, D>,
         moved: Sketch<D>,
     ) -> Asked<()> {
+        if held.handle == Handle::Own {
+            let scene = editor.scene();
+            if let Some(layer) = editor.craft.layer.as_mut().filter(|_| held.at != held.from) {
+                layer.let_go(&scene, held.at);
+            }
+            return Ok(());
+        }
         if editor.history.now().full() && held.handle == Handle::Point(editor.count()) {
             desk.tell(words::FULL, Stay::Briefly);
         }
-        editor.history.change(moved);
+        editor.history.change(editor.completed(moved));
         editor.shown.after_change();
         editor.forget_note();
         editor.craft.offer = Some(Stage::Offering);
@@ -400,7 +465,7 @@ where
             desk.tell(words::NO_CURVE, Stay::Briefly);
             return Ok(false);
         }
-        if editor.count() < FEWEST {
+        if editor.count() < editor.fewest() {
             let missing = if Self::STORE.is_some() { words::NO_CURVE } else { words::TOO_FEW };
             desk.tell(missing, Stay::Briefly);
             return Ok(false);
@@ -421,12 +486,17 @@ where
         Ok(())
     }
 
-    fn draw(editor: &Editor<Self, D>, layer: Layer, page: &mut Page<'_>) {
+    fn draw(editor: &Editor<Self, D>, layer: Part, page: &mut Page<'_>) {
         match layer {
-            Layer::Over => editor.draw_joint_shapes(page),
-            Layer::Titles => editor.draw_titles(page),
-            Layer::Legend => editor.draw_names(page, (400, 5), Color::LightGray),
-            _ => <Self as Ambient<D>>::draw(editor, layer, page),
+            Part::Over if editor.craft.layer.is_some() => editor.paint_layer(layer, page),
+            Part::Over => editor.draw_joint_shapes(page),
+            Part::Titles => editor.draw_titles(page),
+            Part::Legend if editor.craft.layer.is_some() => editor.paint_layer(layer, page),
+            Part::Legend => editor.draw_names(page, (400, 5), Color::LightGray),
+            _ => {
+                <Self as Ambient<D>>::draw(editor, layer, page);
+                editor.paint_layer(layer, page);
+            }
         }
     }
 }
@@ -435,9 +505,17 @@ impl<const D: usize> Curves<D>
 where
     Point<D>: Place<D>,
 {
+    /// The method that a sketch is drawn by.
+    fn method_of(&self, sketch: &Sketch<D>) -> Option<Method> {
+        match &self.layer {
+            Some(layer) => layer.method(sketch, self.usual.is_some()),
+            None => sketch.method().or(self.tools.implied()).or(self.usual),
+        }
+    }
+
     /// The sketch as the program draws it, if there is a curve.
     fn curve(&self, sketch: &Sketch<D>) -> Option<Sketch<D>> {
-        let method = sketch.method().or(self.tools.implied()).or(self.usual)?;
+        let method = self.method_of(sketch)?;
         Some(sketch.by(method)).filter(|sketch| sketch.curve().is_ok())
     }
 }
@@ -461,6 +539,7 @@ impl Ambient<2> for Curves<2> {
             Tools::Methods => tables::METHODS,
             Tools::Tangents => tables::TANGENTS,
             Tools::Beta => tables::BETA,
+            Tools::Own => Commands(&[]),
         }
     }
 
@@ -491,8 +570,8 @@ impl Ambient<2> for Curves<2> {
         editor.change_tangent(desk, index).await
     }
 
-    fn draw(editor: &Editor<Curves<2>, 2>, layer: Layer, page: &mut Page<'_>) {
-        if layer == Layer::Under && !editor.stage.is_result() {
+    fn draw(editor: &Editor<Curves<2>, 2>, layer: Part, page: &mut Page<'_>) {
+        if layer == Part::Under && !editor.stage.is_result() {
             // It ends where the original's word does.
             let store = words::STORE.of(page.language);
             let width = 8 * i32::try_from(store.chars().count()).unwrap_or(0);
@@ -539,9 +618,9 @@ impl Ambient<3> for Curves<3> {
     }
 
     /// The line under the picture: the place of the point being dragged or changed.
-    fn draw(editor: &Editor<Curves<3>, 3>, layer: Layer, page: &mut Page<'_>) {
+    fn draw(editor: &Editor<Curves<3>, 3>, layer: Part, page: &mut Page<'_>) {
         let held = editor.held.map(|held| held.handle);
-        let (Layer::Frame, Some(Handle::Point(index))) =
+        let (Part::Frame, Some(Handle::Point(index))) =
             (layer, held.or(editor.craft.pointed_out.map(Handle::Point)))
         else {
             return;

@@ -19,6 +19,8 @@ use serde::Serialize;
 
 /// How far from the curve a click is on it, in pixels.
 const REACH: i32 = 5;
+/// The fewest points that have a curve by methods of a layer.
+const FEWEST_OF_LAYERS: usize = 2;
 
 impl<const D: usize> Editor<Curves<D>, D>
 where
@@ -32,12 +34,28 @@ where
 
     /// The sketch that the curve is drawn from.
     pub(super) fn method(&self) -> Option<Method> {
-        self.history.now().method().or(self.craft.tools.implied()).or(self.craft.usual)
+        self.craft.method_of(self.history.now())
+    }
+
+    /// The fewest points that have a curve.
+    pub(super) fn fewest(&self) -> usize {
+        if self.craft.layer.is_some() { FEWEST_OF_LAYERS } else { FEWEST }
+    }
+
+    /// The tip of the tangent at a point, where tangents are shown.
+    pub(super) fn tip(&self, index: usize) -> Option<Point<D>> {
+        let sketch = self.history.now();
+        let shown = self.craft.layer.as_ref().is_none_or(|layer| layer.has_tips(&self.drawn()));
+        sketch.tip(index).filter(|_| shown)
     }
 
     /// The sketch with the dragged handle dropped at the mouse, with the method of the program.
     pub(super) fn drawn(&self) -> Sketch<D> {
         let sketch = self.preview();
+        if self.craft.layer.is_some() {
+            let sketch = self.completed(if sketch.method().is_none() { sketch.closed_up() } else { sketch });
+            return self.craft.method_of(&sketch).map_or(sketch.clone(), |method| sketch.by(method));
+        }
         match sketch.method().or(self.craft.tools.implied()) {
             Some(method) => sketch.by(method),
             None => self.craft.usual.map_or(sketch.clone(), |method| sketch.closed_up().by(method)),
@@ -84,6 +102,9 @@ where
         if self.craft.note.is_some() || !self.craft.compared.is_empty() {
             return None;
         }
+        if let Some(layer) = self.craft.layer.as_ref().filter(|_| self.count() >= self.fewest()) {
+            return layer.hint(&self.scene());
+        }
         let plane = Curves::<D>::STORE.is_some();
         let methods = self.craft.tools == Tools::Methods;
         let (mouse, keys) = match (self.held.map(|held| held.handle), self.count()) {
@@ -109,7 +130,7 @@ where
 
     /// Makes a changed sketch the present one. As in the original the curve goes, unless it shall follow.
     pub(super) fn change(&mut self, sketch: Sketch<D>) {
-        self.history.change(sketch);
+        self.history.change(self.completed(sketch));
         self.shown.after_edit();
         self.forget_note();
     }
@@ -159,7 +180,7 @@ where
         let sketch = self.history.now();
         let held_at = |handle| self.held.filter(|held| held.handle == handle).map(|held| held.at);
         for (index, &point) in sketch.points.iter().enumerate() {
-            if let Some(tip) = held_at(Handle::Tip(index)).or(sketch.tip(index)) {
+            if let Some(tip) = held_at(Handle::Tip(index)).or(self.tip(index)) {
                 items.push(Item::Tangent { tip, point });
             }
         }
@@ -206,7 +227,7 @@ where
     /// tangent changes.
     pub(super) async fn change_point(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let index = ask_existing(desk, self, self.count()).await?;
-        if self.history.now().tangents.is_some() && self.craft.tools == Tools::Tangents {
+        if self.tip(index).is_some() && matches!(self.craft.tools, Tools::Tangents | Tools::Own) {
             let what = Question::new(TOP, words::ASK_CHANGE, [words::POINT, words::TANGENT]);
             if desk.ask(self, &what).await? == Answer::Second {
                 return Curves::<D>::change_tangent(self, desk, index).await;

@@ -7,22 +7,39 @@ use crate::ui::{Button, Command, Commands, KeyHelp};
 
 /// What a command does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Action {
+pub enum Action {
+    /// A new point by number and place.
     Insert,
+    /// Another number, place or tangent of a point.
     Change,
+    /// A point goes, by its number.
     Delete,
+    /// The point under the mouse goes.
     DeleteHere,
+    /// The form and method of the curve.
     Choose,
+    /// The curve alone.
     Result,
+    /// The bias of a beta-spline.
     Bias,
+    /// The tension of a beta-spline.
     Tension,
+    /// The coefficient of the tangents.
     K0,
+    /// The questions at the end.
     Quit,
+    /// Whether the curve follows changes.
     Follow,
+    /// Curves of several methods together.
     Compare,
+    /// The workshop of measured points.
     Workshop,
+    /// The shape of one joint.
     ShapeJoint,
+    /// All joints alike.
     JointsAlike,
+    /// A command of the program's own layer.
+    Own(u8),
 }
 
 type Row = Command<Action>;
@@ -178,6 +195,44 @@ pub(super) const SPACE_BETA: Commands<Action> = Commands(&[
     STORE,
     BACK,
 ]);
+
+/// Rows for the tables of programs with a layer of their own.
+pub mod rows {
+    use super::{Action, Command};
+
+    /// The table's rows.
+    pub type Row = Command<Action>;
+    /// Points are dragged out of the store.
+    pub const DRAG: Row = super::DRAG;
+    /// Points are dragged in space.
+    pub const DRAG_3D: Row = super::DRAG_3D;
+    /// Tips of tangents are dragged.
+    pub const DRAG_TANGENT: Row = super::DRAG_TANGENT;
+    /// A click makes a point.
+    pub const CLICK: Row = super::CLICK;
+    /// A click on a curve in space makes a point.
+    pub const CLICK_3D: Row = super::CLICK_3D;
+    /// The key B.
+    pub const INSERT: Row = super::INSERT;
+    /// The key V, for points with tangents.
+    pub const CHANGE: Row = super::CHANGE_TANGENT;
+    /// The key T.
+    pub const DELETE: Row = super::DELETE;
+    /// The key Delete.
+    pub const DELETE_HERE: Row = super::DELETE_HERE;
+    /// The key E.
+    pub const RESULT: Row = super::RESULT;
+    /// The key Q.
+    pub const LEAVE: Row = super::LEAVE;
+    /// The key F3.
+    pub const FOLLOW: Row = super::FOLLOW;
+    /// Saving.
+    pub const SAVE: Row = super::STORE;
+    /// Undo and redo.
+    pub const UNDO: Row = super::BACK;
+    /// Turning and zooming in space.
+    pub const TURN: [Row; 4] = super::TURN;
+}
 
 /// The help page of GB_2D_IP.
 pub const METHOD_KEYS: &[KeyHelp] = &METHODS.help::<{ METHODS.lines() }>();

@@ -34,6 +34,16 @@ pub(super) fn best(candidates: &[PhSegment], size: f64) -> Option<usize> {
     merits.iter().position(|merit| cheap(merit) && close(merit.length, shortest, 0.0))
 }
 
+/// The number of the best of those that turn least. The bending energy alone would prefer a loop where it is large
+/// enough, since the energy falls with the size; cubics have no other freedom than size and turn.
+pub(super) fn gentlest(candidates: &[PhSegment], size: f64) -> Option<usize> {
+    let turns: Vec<f64> = candidates.iter().map(PhSegment::absolute_rotation).collect();
+    let least = smallest(turns.iter().copied());
+    let gentle: Vec<usize> = (0..turns.len()).filter(|&k| turns[k] <= least * (1.0 + SAME) + SAME).collect();
+    let segments: Vec<PhSegment> = gentle.iter().map(|&k| candidates[k].clone()).collect();
+    best(&segments, size).map(|k| gentle[k])
+}
+
 fn smallest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(f64::INFINITY, f64::min)
 }

@@ -1,6 +1,6 @@
 //! PH cubics with given end points and end directions.
 
-use super::choice::best;
+use super::choice::gentlest;
 use super::complex::Complex;
 use super::curve::PhCurve;
 use super::hermite::ends_of_spans;
@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 impl PhSegment {
     /// The PH cubics from `points[0]` to `points[1]` with the directions of `tangents` there, whose lengths do not
-    /// matter: one or two, the preferred one first (least bending energy, then the shortest). They are arcs of
+    /// matter: one or two, the preferred one first (least absolute rotation, then bending energy, then the shortest). They are arcs of
     /// Tschirnhausen's cubic, which has no inflection.
     ///
     /// # Errors
@@ -77,7 +77,7 @@ fn cubics(
             found.push(PhSegment::new(span, 1.0, &w.map(|value| value * size.sqrt()), points)?);
         }
     }
-    let Some(first) = best(&found, size) else { return Err(GeometryError::NoPhCubic { number }) };
+    let Some(first) = gentlest(&found, size) else { return Err(GeometryError::NoPhCubic { number }) };
     found.swap(0, first);
     Ok(found)
 }
@@ -190,6 +190,15 @@ mod tests {
         assert!(segment.inflections().is_empty());
         let extrema = segment.curvature_extrema();
         assert!(extrema.len() == 1 && (extrema[0] - 0.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_way_round_a_large_loop_is_not_preferred() {
+        // The loop of length 2113.8 has the smaller energy, but turns twice as far.
+        let found = PhSegment::cubics([[200.0, 300.0], [360.0, 300.0]], [[150.0, -225.0], [150.0, 225.0]]).unwrap();
+        let length = |at: usize| PhCurve::new(Closure::Open, vec![found[at].clone()]).total_length();
+        assert!(found.len() == 2 && (length(0) - 193.776408).abs() < 1e-6 && length(1) > 2000.0);
+        assert!(found[0].energy() > found[1].energy());
     }
 
     #[test]
