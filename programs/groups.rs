@@ -126,12 +126,32 @@ pub const INSTALLER: Group = Group {
 };
 
 /// Every group in the order of the book.
-pub const GROUPS: [&Group; 10] =
-    [&CURSORS, &PLANE_CURVES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &OFFSETS, &GAMES, &INSTALLER];
+pub const GROUPS: [&Group; 10] = [
+    &CURSORS,
+    &PLANE_CURVES,
+    &SPACE_CURVES,
+    &OPEN_SURFACES,
+    &SPHERES,
+    &RINGS,
+    &THESIS,
+    &OFFSETS,
+    &GAMES,
+    &INSTALLER,
+];
 
 /// Every group in the order of the menu: it begins with what shows at once what it is.
-pub const MENU: [&Group; 10] =
-    [&PLANE_CURVES, &GAMES, &SPACE_CURVES, &OPEN_SURFACES, &SPHERES, &RINGS, &THESIS, &OFFSETS, &CURSORS, &INSTALLER];
+pub const MENU: [&Group; 10] = [
+    &PLANE_CURVES,
+    &GAMES,
+    &SPACE_CURVES,
+    &OPEN_SURFACES,
+    &SPHERES,
+    &RINGS,
+    &THESIS,
+    &OFFSETS,
+    &CURSORS,
+    &INSTALLER,
+];
 
 impl PartialEq for Group {
     /// Groups are told apart by their folders.

@@ -25,6 +25,7 @@ pub mod gyongy_k;
 pub mod kc_ter;
 pub mod menu;
 pub mod ph_gorbe;
+pub mod pn_felul;
 mod puzzles;
 #[cfg(feature = "native")]
 pub mod telepit;
@@ -70,6 +71,7 @@ pub const ALL: &[Program] = &[
     zy_betsp::PROGRAM,
     zy_hspl::PROGRAM,
     kc_ter::PROGRAM,
+    pn_felul::PROGRAM,
     ph_gorbe::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,

@@ -53,8 +53,15 @@ fn the_cam_is_safe_up_to_its_smallest_radius() {
     for d in ["20", "90", "-30"] {
         let model = own(&format!("{}key P\ntype {d}\nkey Enter", cam()));
         let offset = &model["offsets"][0];
-        assert_eq!((offset["cusps"].as_array().map(Vec::len), &offset["crossings"]), (Some(0), &Value::from(0)));
-        near(&offset["length"], 866.479834 - number(&Value::from(d.parse::<f64>().unwrap())) * std::f64::consts::TAU, 1e-6);
+        assert_eq!(
+            (offset["cusps"].as_array().map(Vec::len), &offset["crossings"]),
+            (Some(0), &Value::from(0))
+        );
+        near(
+            &offset["length"],
+            866.479834 - number(&Value::from(d.parse::<f64>().unwrap())) * std::f64::consts::TAU,
+            1e-6,
+        );
     }
 }
 

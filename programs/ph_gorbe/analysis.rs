@@ -188,14 +188,12 @@ impl Cache {
         distances: &[f64],
         trim: bool,
     ) -> Result<Rc<Analysis>, DesignError> {
-        let same =
-            |kept: &Kept| kept.sketch == *sketch && kept.distances == distances && kept.trim == trim;
+        let same = |kept: &Kept| kept.sketch == *sketch && kept.distances == distances && kept.trim == trim;
         if let Some(kept) = self.0.borrow().as_ref().filter(|kept| same(kept)) {
             return kept.made.clone();
         }
         let made = Analysis::new(sketch, distances, trim).map(Rc::new);
-        let kept =
-            Kept { sketch: sketch.clone(), distances: distances.to_vec(), trim, made: made.clone() };
+        let kept = Kept { sketch: sketch.clone(), distances: distances.to_vec(), trim, made: made.clone() };
         *self.0.borrow_mut() = Some(kept);
         made
     }

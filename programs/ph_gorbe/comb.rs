@@ -30,7 +30,10 @@ pub(super) fn traces(curve: &PhCurve, scale: f64) -> Vec<Trace<2>> {
     let teeth: Vec<[Point<2>; 2]> = places.into_iter().filter_map(tooth).collect();
     let tips = teeth.windows(2).map(|pair| [pair[0][1], pair[1][1]]);
     let lines = teeth.iter().copied().map(|ends| (ends, Color::Green));
-    lines.chain(tips.map(|ends| (ends, Color::LightGreen))).map(|(ends, ink)| Trace::Line { ends, ink }).collect()
+    lines
+        .chain(tips.map(|ends| (ends, Color::LightGreen)))
+        .map(|(ends, ink)| Trace::Line { ends, ink })
+        .collect()
 }
 
 /// Cusps of the offsets as crosses; with the comb, extrema as triangles with their radius, inflections as dots.
@@ -50,7 +53,11 @@ pub(super) fn draw_marks(analysis: &Analysis, options: &Options, map: Map<'_, 2>
     for extremum in curve.curvature_extrema() {
         let Some(at) = curve.eval(extremum.place.span, extremum.place.u) else { continue };
         let (x, y) = map(at);
-        screen.polygon(&[(x - 4, y + 4), (x + 4, y + 4), (x, y - 4)], Color::LightGreen, Stroke::thin(Color::Black));
+        screen.polygon(
+            &[(x - 4, y + 4), (x + 4, y + 4), (x, y - 4)],
+            Color::LightGreen,
+            Stroke::thin(Color::Black),
+        );
         if let Some(radius) = analysis.radius(extremum.place) {
             label(screen, (x + 8, y - 12), &format!("r {radius:.1}"), Color::LightGreen);
         }

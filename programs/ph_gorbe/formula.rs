@@ -97,7 +97,12 @@ fn draw(screen: &mut Screen, language: Language, segment: &PhSegment, [span, spa
         screen.text(left, 98 + 14 * row, &text, ink);
     }
     let h = texts::number(segment.step(), 4);
-    screen.text(left, 172, &format!("h = {h}   x' = h (m² - n²)   y' = 2 h m n   sigma = h (m² + n²)"), Color::LightCyan);
+    screen.text(
+        left,
+        172,
+        &format!("h = {h}   x' = h (m² - n²)   y' = 2 h m n   sigma = h (m² + n²)"),
+        Color::LightCyan,
+    );
     let steps = 60;
     let at = |coefficients: &[Point<2>]| -> Vec<Point<2>> {
         (0..=steps).map(|k| bezier(coefficients, f64::from(k) / f64::from(steps))).collect()

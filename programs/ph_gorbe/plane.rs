@@ -87,7 +87,8 @@ impl Plane {
         let mut options = self.options;
         let bare = scene.grip.and_then(|_| self.cache.of(&scene.sketch, &options.distances(), false).ok());
         if let Some((at, bare)) = scene.grip.zip(bare) {
-            let other = |it: f64| if options.both && it * options.distance.unwrap_or(0.0) < 0.0 { -it } else { it };
+            let other =
+                |it: f64| if options.both && it * options.distance.unwrap_or(0.0) < 0.0 { -it } else { it };
             options.distance = bare.signed_distance(at).map(other).map(|it| it.clamp(-FARTHEST, FARTHEST));
         }
         options
@@ -196,8 +197,12 @@ impl Layer<2> for Plane {
                 let at = self.mouse.filter(|_| options.speed || options.comb.is_some());
                 let place = self.mouse_place(map).filter(|_| at.is_some());
                 let place = match (at, place) {
-                    (Some(at), _) if options.speed && speed::holds(at) => speed::place_at(&analysis.curve, at),
-                    (_, Some(at)) => analysis.nearest(at).filter(|(_, far)| *far <= 12.0).map(|(place, _)| place),
+                    (Some(at), _) if options.speed && speed::holds(at) => {
+                        speed::place_at(&analysis.curve, at)
+                    }
+                    (_, Some(at)) => {
+                        analysis.nearest(at).filter(|(_, far)| *far <= 12.0).map(|(place, _)| place)
+                    }
                     _ => None,
                 };
                 if let Some(place) = place {

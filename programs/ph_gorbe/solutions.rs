@@ -126,7 +126,9 @@ fn draw(screen: &mut Screen, language: Language, title: &Phrase, solutions: &[So
         (41 + near(*x), 450 - near(*y))
     };
     // The chosen one comes last, over the others.
-    for solution in solutions.iter().filter(|it| it.ink != INKS[0]).chain(solutions.iter().filter(|it| it.ink == INKS[0])) {
+    for solution in
+        solutions.iter().filter(|it| it.ink != INKS[0]).chain(solutions.iter().filter(|it| it.ink == INKS[0]))
+    {
         let pixels: Vec<(i32, i32)> = solution.line.iter().map(pixel).collect();
         in_field(screen, &pixels, Stroke::thick(solution.ink));
     }

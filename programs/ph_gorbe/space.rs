@@ -7,9 +7,9 @@ use crate::design::Sketch;
 use crate::editor::curve::layer::{Action, Canvas, Doing, Layer, Map, Part, Scene, Trace, Turn};
 use crate::figure::wrap;
 use crate::file::{Format, Method};
+use crate::geometry::ParamCurve;
 use crate::geometry::Point;
 use crate::geometry::ph::{Place, SpacePhCurve};
-use crate::geometry::ParamCurve;
 use crate::machine::{Key, Tick};
 use crate::screen::Color;
 use crate::ui::{Area, Caption, Commands, Desk, Field, Form, Hint, Number, Picture, TOP, Words};
@@ -122,7 +122,9 @@ impl Layer<3> for Space {
         let mut traces = self.radius.map_or(Vec::new(), |radius| pipe(&curve, radius));
         let Some(frame) = self.frame.filter(|_| !scene.held) else { return traces };
         for place in curve.equal_lengths(FRAMES).unwrap_or_default() {
-            let Some((at, axes)) = curve.eval(place.span, place.u).zip(frame.at(&curve, place)) else { continue };
+            let Some((at, axes)) = curve.eval(place.span, place.u).zip(frame.at(&curve, place)) else {
+                continue;
+            };
             for (axis, ink) in axes.into_iter().zip([Color::LightRed, Color::LightGreen, Color::LightBlue]) {
                 traces.push(Trace::Line { ends: [at, along(at, [(STICK, axis)])], ink });
             }

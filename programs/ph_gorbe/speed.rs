@@ -54,7 +54,12 @@ fn of_other(curve: &dyn ParamCurve<2>) -> Vec<[f64; 2]> {
 }
 
 /// Draws the strip, with the ordinary cubic spline behind, and what is known at a place.
-pub(super) fn draw(analysis: &super::analysis::Analysis, sketch: &Sketch<2>, at: Option<Place>, canvas: &mut Canvas<'_>) {
+pub(super) fn draw(
+    analysis: &super::analysis::Analysis,
+    sketch: &Sketch<2>,
+    at: Option<Place>,
+    canvas: &mut Canvas<'_>,
+) {
     let Canvas { screen, language } = canvas;
     let curve = &analysis.curve;
     let own = of_ph(curve);

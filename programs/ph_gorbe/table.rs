@@ -48,7 +48,11 @@ type Row = Command<Action>;
 
 const CURVE: Row = Command::button(
     Button::new(550, 4, Hot::new('G', "örbe", "-curve")),
-    line("G", "görbe: nyitott/zárt, 1 spline, 2 Hermite, 3 köbös", "curve: open/closed, 1 spline, 2 Hermite, 3 cubic"),
+    line(
+        "G",
+        "görbe: nyitott/zárt, 1 spline, 2 Hermite, 3 köbös",
+        "curve: open/closed, 1 spline, 2 Hermite, 3 cubic",
+    ),
     Own::Curve.action(),
 );
 const SPACE_CURVE: Row = Command::button(
@@ -58,7 +62,11 @@ const SPACE_CURVE: Row = Command::button(
 );
 const DISTANCE: Row = Command::button(
     Button::new(30, 21, Hot::new('P', "árhuzam", " offset")),
-    line("P", "párhuzamos: szám, M két oldal, C vágás, N nincs", "offset: number, M both sides, C trim, N none"),
+    line(
+        "P",
+        "párhuzamos: szám, M két oldal, C vágás, N nincs",
+        "offset: number, M both sides, C trim, N none",
+    ),
     Own::Distance.action(),
 );
 const PIPE: Row = Command::button(
@@ -78,7 +86,11 @@ const COMB: Row = Command::button(
 );
 const FRAMES: Row = Command::button(
     Button::new(30, 38, Hot::new('K', "-keret", "-frame")),
-    line("K", "kísérő keret: Frenet, Euler-Rodrigues, forgásmentes", "frames: Frenet, Euler-Rodrigues, minimising"),
+    line(
+        "K",
+        "kísérő keret: Frenet, Euler-Rodrigues, forgásmentes",
+        "frames: Frenet, Euler-Rodrigues, minimising",
+    ),
     Own::Comb.action(),
 );
 const TRAVEL: Row = Command::button(
@@ -88,14 +100,26 @@ const TRAVEL: Row = Command::button(
 );
 const WHEEL: Row = Command::told((
     Words("görgő PgUp PgDn", "wheel PgUp PgDn"),
-    Words("a távolság 1-gyel; , . tizeddel; a párhuzamos húzható", "distance by 1; , . by a tenth; drag the offset itself"),
+    Words(
+        "a távolság 1-gyel; , . tizeddel; a párhuzamos húzható",
+        "distance by 1; , . by a tenth; drag the offset itself",
+    ),
 ));
-const RADIUS: Row = Command::told((Words("PgUp PgDn", "PgUp PgDn"), Words("a cső sugara 1-gyel", "radius of the pipe by 1")));
-const SOLUTIONS: Row = own_key(4, line("F4", "minden megoldás együtt", "all solutions together"), Own::Solutions);
-const COMPARE: Row =
-    own_key(5, line("F5 + -", "közelítő párhuzamosok hibája", "approximate offsets and their errors"), Own::Compare);
+const RADIUS: Row =
+    Command::told((Words("PgUp PgDn", "PgUp PgDn"), Words("a cső sugara 1-gyel", "radius of the pipe by 1")));
+const SOLUTIONS: Row =
+    own_key(4, line("F4", "minden megoldás együtt", "all solutions together"), Own::Solutions);
+const COMPARE: Row = own_key(
+    5,
+    line("F5 + -", "közelítő párhuzamosok hibája", "approximate offsets and their errors"),
+    Own::Compare,
+);
 const FORMULA: Row = own_key(6, line("F6", "egy ív képletei", "the formulas of a span"), Own::Formula);
-const UNIT: Row = own_key(7, line("F7", "egység: 1 képpont hány mm; NC-program", "unit: mm in a pixel; NC program"), Own::Unit);
+const UNIT: Row = own_key(
+    7,
+    line("F7", "egység: 1 képpont hány mm; NC-program", "unit: mm in a pixel; NC program"),
+    Own::Unit,
+);
 const TO_SPACE: Row = own_key(8, line("F8", "a tér lapja", "the page of space"), Own::Elsewhere);
 const TO_PLANE: Row = own_key(8, line("F8", "a sík lapja", "the page of the plane"), Own::Elsewhere);
 

@@ -148,7 +148,10 @@ pub(super) fn knots(knots: crate::geometry::ph::Knots) -> Phrase {
 
 /// The title of the solutions of a span.
 pub(super) fn all_of_span(span: usize, spans: usize) -> Phrase {
-    Phrase::new(format!("{span}/{spans} ív   Bal Jobb: másik  Esc"), format!("Span {span}/{spans}  Left Right, Esc"))
+    Phrase::new(
+        format!("{span}/{spans} ív   Bal Jobb: másik  Esc"),
+        format!("Span {span}/{spans}  Left Right, Esc"),
+    )
 }
 
 /// The name of a Hermite quintic, by its signs; or of a cubic.
@@ -160,7 +163,8 @@ pub(super) fn solution(at: usize, cubic: bool) -> Phrase {
 
 /// Bending energy, rotation and length of a solution.
 pub(super) fn facts(energy: Option<f64>, rotation: f64, length: f64) -> String {
-    let energy = energy.map_or("inf".to_owned(), |it| if it < 10.0 { format!("{it:.4}") } else { format!("{it:.1e}") });
+    let energy = energy
+        .map_or("inf".to_owned(), |it| if it < 10.0 { format!("{it:.4}") } else { format!("{it:.1e}") });
     format!("E {energy} R {rotation:.2} L {length:.0}")
 }
 
@@ -190,7 +194,8 @@ pub(super) fn nc_saved(name: &str, lines: usize) -> Phrase {
     )
 }
 
-pub(super) const NO_FILE: Words = Words("A PH_GORBE pontokat nyit meg: IP2, IC2, IP3", "PH_GORBE opens points: IP2, IC2, IP3");
+pub(super) const NO_FILE: Words =
+    Words("A PH_GORBE pontokat nyit meg: IP2, IC2, IP3", "PH_GORBE opens points: IP2, IC2, IP3");
 
 pub(super) const SPACE_TITLE: Words = Words("PH térgörbék", "PH space curves");
 pub(super) const HINT_SPACE: Words = Words("Forgassa. P cső  K keret  F1", "Turn it. P pipe  K frame  F1");
@@ -211,7 +216,9 @@ pub(super) fn length_and_energy(length: f64, energy: Option<f64>) -> Phrase {
 pub(super) fn pipe(radius: Option<f64>, most: Option<f64>) -> Phrase {
     let most = most.map_or(String::new(), |it| format!(" < {it:.2}"));
     match radius {
-        Some(radius) => Phrase::new(format!("cső: r = {radius:.1}{most}"), format!("pipe: r = {radius:.1}{most}")),
+        Some(radius) => {
+            Phrase::new(format!("cső: r = {radius:.1}{most}"), format!("pipe: r = {radius:.1}{most}"))
+        }
         None => Phrase::new(format!("nincs cső (P), r{most}"), format!("no pipe (P), r{most}")),
     }
 }

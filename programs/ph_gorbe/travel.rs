@@ -45,9 +45,9 @@ impl Tracks<'_> {
             let along = |pair: &[Place; 2]| curve.length_at(pair[kind]).unwrap_or(0.0);
             let mean = curve.total_length() / steps;
             let steps = tracks.marks.windows(2).map(|pair| (along(&pair[1]) - along(&pair[0])) / mean);
-            let range = steps.filter(|it| it.is_finite()).fold([f64::INFINITY, 0.0], |[low, high], it| {
-                [it.min(low), it.max(high)]
-            });
+            let range = steps
+                .filter(|it| it.is_finite())
+                .fold([f64::INFINITY, 0.0], |[low, high], it| [it.min(low), it.max(high)]);
             tracks.ranges[kind] = if range[0].is_finite() { range } else { [1.0; 2] };
         }
         tracks

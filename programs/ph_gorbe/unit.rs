@@ -5,9 +5,9 @@ use super::plane::Options;
 use super::texts;
 use crate::geometry::{ParamCurve, Point};
 use crate::machine::Asked;
+use crate::ui::Area;
 use crate::ui::words;
 use crate::ui::{Answer, Caption, Desk, Field, Form, Number, Picture, Question, Stay, TOP};
-use crate::ui::Area;
 use std::fmt::Write;
 
 /// Millimetres in a pixel.
@@ -30,7 +30,8 @@ pub(super) async fn ask(
     let form = Form::new(vec![Caption::new((x + 12, y + 17), texts::UNIT)], [field]);
     let [unit] = desk.numbers_or(picture, &form, [options.unit.to_string()]).await?;
     options.unit = unit;
-    let question = Question { proposed: Answer::Second, ..Question::new(TOP, texts::ASK_NC, [words::YES, words::NO]) };
+    let question =
+        Question { proposed: Answer::Second, ..Question::new(TOP, texts::ASK_NC, [words::YES, words::NO]) };
     if desk.ask(picture, &question).await? == Answer::Second {
         return Ok(());
     }

@@ -195,7 +195,8 @@ mod tests {
     #[test]
     fn the_way_round_a_large_loop_is_not_preferred() {
         // The loop of length 2113.8 has the smaller energy, but turns twice as far.
-        let found = PhSegment::cubics([[200.0, 300.0], [360.0, 300.0]], [[150.0, -225.0], [150.0, 225.0]]).unwrap();
+        let found =
+            PhSegment::cubics([[200.0, 300.0], [360.0, 300.0]], [[150.0, -225.0], [150.0, 225.0]]).unwrap();
         let length = |at: usize| PhCurve::new(Closure::Open, vec![found[at].clone()]).total_length();
         assert!(found.len() == 2 && (length(0) - 193.776408).abs() < 1e-6 && length(1) > 2000.0);
         assert!(found[0].energy() > found[1].energy());
