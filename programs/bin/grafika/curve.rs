@@ -6,6 +6,8 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::design::{Design, DesignError, Shape};
 use grafika::file::{CurveSettings, Document, Method};
+use grafika::geometry::Point;
+use grafika::geometry::ph::Knots;
 use grafika::launch::{Failure, Opened};
 
 /// A file with a method and its parameters.
@@ -28,6 +30,15 @@ pub(crate) struct CurveArgs {
     /// Tension of a beta-spline, half of Barsky's [default: 0]
     #[arg(long, allow_negative_numbers = true)]
     tension: Option<f64>,
+    /// Knots of phspline: chord, uniform or centripetal [default: chord]
+    #[arg(long, value_parser = PossibleValuesParser::new(Knots::ALL.map(|(name, _)| name)))]
+    knots: Option<String>,
+    /// Derivative at the start of an open phspline, by knots of mean step 1
+    #[arg(long, value_name = "DX,DY", value_parser = vector, allow_hyphen_values = true)]
+    start: Option<Point<2>>,
+    /// Derivative at the end of an open phspline
+    #[arg(long, value_name = "DX,DY", value_parser = vector, allow_hyphen_values = true)]
+    end: Option<Point<2>>,
     #[command(flatten)]
     surface: SurfaceArgs,
 }
@@ -41,6 +52,12 @@ impl CurveArgs {
             return Err(Failure::usage(format!("{option} is for surfaces; {name} holds none")));
         }
         let design = Design::of_document(document).map_err(|error| failure(&name, &error))?;
+        let points = matches!(design, Design::Plane(_) | Design::Space(_));
+        if let Some(option) = self.spline_option().filter(|_| !points) {
+            return Err(Failure::usage(format!(
+                "{option} is for phspline; {name} holds no control points of one"
+            )));
+        }
         let design = match design {
             Design::Net(net) if self.closed => {
                 return Err(Failure::usage(format!(
@@ -68,6 +85,14 @@ impl CurveArgs {
                 }
                 design
             }
+            Design::Rational(spans) => {
+                if self.method.is_some() || self.closed {
+                    return Err(Failure::usage(format!(
+                        "--method and --closed are for control points; {name} holds a rational curve as it is"
+                    )));
+                }
+                Design::Rational(spans)
+            }
             Design::Fourier(coefficients) => {
                 if self.named().is_some_and(|other| other != Method::Fourier) {
                     return Err(Failure::usage(format!(
@@ -78,6 +103,13 @@ impl CurveArgs {
             }
             Design::Plane(mut sketch) => {
                 self.apply(&mut sketch.settings);
+                let method = sketch.method().filter(|method| *method != Method::PhSpline);
+                if let Some((option, method)) = self.spline_option().zip(method) {
+                    let method = method.name();
+                    return Err(Failure::usage(format!(
+                        "{option} is for phspline; {method} has no such thing"
+                    )));
+                }
                 Design::Plane(sketch)
             }
             Design::Space(mut sketch) => {
@@ -106,6 +138,19 @@ impl CurveArgs {
         settings.k0 = self.k0.or(settings.k0);
         settings.bias = self.bias.or(settings.bias);
         settings.tension = self.tension.or(settings.tension);
+        settings.knots = self.knots.as_deref().and_then(Knots::from_name).or(settings.knots);
+        settings.start = self.start.or(settings.start);
+        settings.end = self.end.or(settings.end);
+    }
+
+    /// An option that only phspline has, if one is given.
+    fn spline_option(&self) -> Option<&'static str> {
+        let given = [
+            ("--knots", self.knots.is_some()),
+            ("--start", self.start.is_some()),
+            ("--end", self.end.is_some()),
+        ];
+        given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
     }
 }
 
@@ -117,6 +162,14 @@ pub(crate) fn failure(name: &str, error: &DesignError) -> Failure {
         }
         _ => Failure::usage(error),
     }
+}
+
+/// Reads a vector of the plane.
+fn vector(text: &str) -> Result<Point<2>, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse::<f64>()).collect();
+    let vector = numbers.ok().and_then(|numbers| <Point<2>>::try_from(numbers).ok());
+    let vector = vector.filter(|vector| vector.iter().all(|x| x.is_finite()));
+    vector.ok_or_else(|| "give two numbers DX,DY, as in 150,-20".to_owned())
 }
 
 /// The names of the methods.

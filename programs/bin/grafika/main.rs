@@ -4,7 +4,11 @@ mod config;
 mod convert;
 mod curve;
 mod ec;
+mod measure;
 mod normals;
+mod offset;
+mod ph;
+mod poly;
 mod reference;
 mod render;
 mod sample;
@@ -67,6 +71,12 @@ enum Command {
     Sample(sample::Sample),
     /// Draw a curve or a surface as PNG, SVG or PDF; write a surface as OBJ, STL, PLY or STEP
     Render(render::Render),
+    /// Tell the exact length of a PH curve, how it bends, and how far it can be offset
+    Measure(measure::Measure),
+    /// Write the exact offset of a PH curve, whole or trimmed
+    Offset(offset::OffsetArgs),
+    /// Compute with polynomials and rational functions in exact fractions
+    Poly(poly::Poly),
     /// Convert a data file into another format, by the extensions
     Convert(convert::Convert),
     /// Smooth measured points by a B-spline and a Bézier curve, and tell the residuals
@@ -120,6 +130,9 @@ fn run() -> Result<(), Failure> {
         }
         Some(Command::Sample(sample)) => sample.run(),
         Some(Command::Render(render)) => render.run(),
+        Some(Command::Measure(measure)) => measure.run(),
+        Some(Command::Offset(offset)) => offset.run(),
+        Some(Command::Poly(poly)) => poly.run(),
         Some(Command::Convert(convert)) => convert.run(),
         Some(Command::Smooth(smooth)) => smooth.run(),
         Some(Command::Solve(solve)) => solve.run(),

@@ -23,13 +23,13 @@ pub(crate) fn surface(net: &NetDesign, name: &str) -> Result<PnSurface, Failure>
 }
 
 /// Points, unit normals and radii of curvature at equal steps of every patch.
-pub(crate) fn quantities(surface: &PnSurface, per_span: usize) -> Result<Vec<Vec<f64>>, Failure> {
+pub(crate) fn quantities(surface: &PnSurface, per_span: usize) -> Result<Vec<Vec<Option<f64>>>, Failure> {
     let samples = surface.sample(per_span).map_err(Failure::work)?;
     let row = |sample: grafika::geometry::SurfaceSample| {
         let place = surface.place(sample.spans, sample.parameters)?;
         let spans = sample.spans.map(|span| span as f64);
         let parts = spans.into_iter().chain(sample.parameters).chain(place.point).chain(place.normal);
-        Some(parts.chain(place.radii).collect())
+        Some(parts.chain(place.radii).map(Some).collect())
     };
     samples.into_iter().map(row).collect::<Option<Vec<_>>>().ok_or_else(|| {
         Failure::work("a radius of curvature is too large for doubles: the surface is nearly flat somewhere")

@@ -1,17 +1,24 @@
 //! `grafika render`: a picture of a curve or a surface as PNG, SVG or PDF, or a surface as a model.
 
 use crate::curve::CurveArgs;
+use crate::normals;
+use crate::offset::plot;
+use crate::ph::PhShape;
 use crate::sample::{SURFACE_STEPS, extension};
 use clap::Args;
 use grafika::design::ec::EcShapes;
+use grafika::design::offset::curve as curve_of;
 use grafika::design::{Design, NetDesign, Shape, Sketch};
 use grafika::figure::{
     Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, MODEL_TOLERANCE, ModelFormat, ModelOptions,
-    NOMINAL_WIDTH, SMALLEST_WIDTH, closure, print_ink,
+    NOMINAL_WIDTH, OFFSET_INK, SMALLEST_WIDTH, StepCurve, closure, curves_step, print_ink,
 };
-use grafika::file::SPACE_VIEW;
 use grafika::file::ec::{EcCurve, EcDocument, Item};
-use grafika::geometry::{BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, Point, View};
+use grafika::file::{Method, SPACE_VIEW};
+use grafika::geometry::ph::{Offset, PhCurve, RationalCurve};
+use grafika::geometry::{
+    BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, PnSurface, Point, View,
+};
 use grafika::launch::{Failure, progress, say, write_output};
 use grafika::screen::Color;
 use std::path::PathBuf;
@@ -21,10 +28,21 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   grafika render A.IP2 --method spline --closed -o a.svg
   grafika render A.ZMS -o ball.step
+  grafika render A.IP2 --method phspline --closed --distance 10 --distance=-10 --comb -o a.pdf
   grafika render - --from ip2 --method bezier -o - --to png > a.png")]
 pub(crate) struct Render {
     #[command(flatten)]
     curve: CurveArgs,
+    /// Draw the offset of a PH curve at this distance too, positive to the left, or of a surface by --method pn, positive
+    /// along its normals; may be repeated
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    distance: Vec<f64>,
+    /// Show the comb of curvature of a PH curve
+    #[arg(long)]
+    comb: bool,
+    /// Show the speed of a PH curve over its length, below it
+    #[arg(long)]
+    speed: bool,
     /// Where to write: a picture .png .svg .pdf, a surface as a mesh .obj .stl .ply or exactly .step
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
@@ -53,7 +71,8 @@ pub(crate) struct Render {
     /// Steps a cell of a surface's net [default: 10]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     per_span: Option<u32>,
-    /// How far a fitted surface in .step may be from the exact one, as a part of its size [default: 1e-6]
+    /// How far a fitted surface in .step may be from the exact one, as a part of its size [default: 1e-6]; how far the
+    /// arcs of pictures may be from a PH curve and its offsets [default: 1e-7]
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
     /// Direction from which a space curve or a surface is seen [default: that of the book's programs]
@@ -66,7 +85,13 @@ impl Render {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
         let (design, shape) = self.curve.shape()?;
+        let exact = self.exact(&design)?;
         let alive = progress::alive("drawing");
+        if let Some(curve) = exact {
+            let content = self.ph(&design, &curve, format)?;
+            drop(alive);
+            return write_output(Some(&self.output), &content);
+        }
         let content = self.content(design, &shape, format)?;
         drop(alive);
         write_output(Some(&self.output), &content)
@@ -77,10 +102,13 @@ impl Render {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
             if !format.is_model() {
                 let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-                return self.picture(&self.wireframe(net, &**surface, steps)?, format);
+                let offsets = self.offsets(net)?;
+                return self.picture(&self.wireframe(net, &**surface, &offsets, steps)?, format);
             }
             self.check_model()?;
-            return self.model(&[&*net.solid().map_err(Failure::work)?], format);
+            let (solid, offsets) = (net.solid().map_err(Failure::work)?, self.offsets(net)?);
+            let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
+            return self.model(&std::iter::once(&*solid).chain(offsets).collect::<Vec<_>>(), format);
         }
         if let (Design::Patches(_), Shape::Surface(surface)) = (&design, shape) {
             if format.is_model() {
@@ -88,7 +116,7 @@ impl Render {
                 return self.model(&[&**surface], format);
             }
             let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-            return self.picture(&self.wires(&**surface, SPACE_VIEW, steps)?.0, format);
+            return self.picture(&self.wires(&[&**surface], SPACE_VIEW, steps)?.0, format);
         }
         if self.tolerance.is_some() && format != Format::Step {
             return Err(Failure::usage("--tolerance is for .step"));
@@ -130,15 +158,99 @@ impl Render {
     }
 
     fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {
-        if figure.lacks_axes() {
-            say("grafika", NO_AXES);
-        }
-        let content = match format {
-            Format::Svg => figure.to_svg_of_width(self.width).map(String::into_bytes),
-            Format::Pdf => figure.to_pdf_of_width(self.width),
-            _ => figure.to_png(self.width),
+        picture(figure, format, self.width)
+    }
+
+    /// The PH curve or the rational curve, where it has to be drawn as one.
+    fn exact(&self, design: &Design) -> Result<Option<Exact>, Failure> {
+        let name = "the file";
+        let method = match design {
+            Design::Plane(sketch) => sketch.method(),
+            Design::Rational(spans) => {
+                if let Some(option) = self.ph_option() {
+                    return Err(Failure::usage(format!("{option} is for control points of a PH curve")));
+                }
+                return Ok(Some(Exact::Rational(curve_of(spans).map_err(Failure::work)?)));
+            }
+            Design::Net(_) if !self.comb && !self.speed => return Ok(None),
+            _ => None,
         };
-        content.map_err(Failure::work)
+        match (method, self.ph_option()) {
+            (Some(Method::PhSpline | Method::PhHermite | Method::PhCubic), _) => {
+                PhShape::plane(design, name, "render").map(|curve| Some(Exact::Ph(curve)))
+            }
+            (_, Some(option)) => PhShape::plane(design, name, option).map(|curve| Some(Exact::Ph(curve))),
+            (_, None) => Ok(None),
+        }
+    }
+
+    /// An option that only plane PH curves have, if one is given.
+    fn ph_option(&self) -> Option<&'static str> {
+        let given =
+            [("--distance", !self.distance.is_empty()), ("--comb", self.comb), ("--speed", self.speed)];
+        given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
+    /// A PH curve with its offsets, or a rational curve: exactly in .step, else by arcs within the tolerance.
+    fn ph(&self, design: &Design, exact: &Exact, format: Format) -> Result<Vec<u8>, Failure> {
+        if self.per_span.is_some() {
+            return Err(Failure::usage("--per-span is for surfaces; curves are drawn exactly"));
+        }
+        if self.view.is_some() {
+            return Err(Failure::usage(
+                "--view is for space curves and surfaces; this file holds a curve of the plane",
+            ));
+        }
+        let offsets = match exact {
+            Exact::Ph(curve) => self.distance.iter().map(|distance| curve.offset(*distance)).collect(),
+            Exact::Rational(_) => Ok(Vec::new()),
+        };
+        let offsets: Vec<Offset> = offsets.map_err(Failure::work)?;
+        if format == Format::Step {
+            self.check_model()?;
+            if self.comb || self.speed {
+                return Err(Failure::usage("--comb and --speed are for pictures; models have no such thing"));
+            }
+            if self.tolerance.is_some() {
+                return Err(Failure::usage("--tolerance is for pictures; .step holds these curves exactly"));
+            }
+            let first = match exact {
+                Exact::Ph(curve) => StepCurve { arcs: curve.arcs(), closed: curve.closed() },
+                Exact::Rational(curve) => StepCurve { arcs: curve.arcs().to_vec(), closed: curve.closed() },
+            };
+            let step = |offset: &Offset| StepCurve { arcs: offset.arcs(), closed: offset.closed() };
+            let curves: Vec<StepCurve> = std::iter::once(first).chain(offsets.iter().map(step)).collect();
+            let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
+            return curves_step(&curves, &name.unwrap_or_default())
+                .map(String::into_bytes)
+                .map_err(Failure::work);
+        }
+        if format.is_model() {
+            let message =
+                "meshes are of surfaces; a curve is drawn as .png, .svg or .pdf, and exactly as .step";
+            return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
+        }
+        let points = if let Design::Plane(sketch) = design { sketch.points.as_slice() } else { &[] };
+        let mut figure = self.titled();
+        if self.polygon {
+            figure.plot_polygon(points.to_vec(), closure(exact.curve()));
+        }
+        if let Exact::Ph(curve) = exact {
+            if self.comb {
+                figure.plot_comb(curve);
+            }
+            if self.speed {
+                figure.plot_speed(curve);
+            }
+        }
+        for offset in &offsets {
+            plot(&mut figure, offset, OFFSET_INK, self.tolerance)?;
+        }
+        plot(&mut figure, exact.curve(), CURVE_INK, self.tolerance)?;
+        if self.points {
+            figure.plot_points(points);
+        }
+        self.picture(&figure, format)
     }
 
     /// Options that a model has no place for.
@@ -161,12 +273,7 @@ impl Render {
     /// Surfaces as a model.
     fn model(&self, surfaces: &[&dyn ParamSurface], format: Format) -> Result<Vec<u8>, Failure> {
         let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
-        let model = match format {
-            Format::Step => ModelFormat::Step,
-            Format::Stl => ModelFormat::Stl,
-            Format::Obj => ModelFormat::Obj,
-            _ => ModelFormat::Ply,
-        };
+        let model = format.model().unwrap_or(ModelFormat::Ply);
         let options = ModelOptions {
             steps: self.per_span.unwrap_or(SURFACE_STEPS) as usize,
             tolerance: self.tolerance.unwrap_or(MODEL_TOLERANCE),
@@ -245,9 +352,12 @@ impl Render {
         &self,
         net: &NetDesign,
         surface: &dyn ParamSurface,
+        offsets: &[PnSurface],
         steps: usize,
     ) -> Result<Figure, Failure> {
-        let (mut figure, view, bounds) = self.wires(surface, net.net.kind.view(), steps)?;
+        let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
+        let surfaces: Vec<&dyn ParamSurface> = std::iter::once(surface).chain(offsets).collect();
+        let (mut figure, view, bounds) = self.wires(&surfaces, net.net.kind.view(), steps)?;
         if self.polygon {
             for (line, closed) in net.polygons() {
                 let line = line.iter().map(|&point| view.place(point)).collect();
@@ -263,18 +373,32 @@ impl Render {
         Ok(figure)
     }
 
-    /// The visible lines of a surface, how it is seen, and the box round it.
+    /// The offsets of a net's surface at the distances that are asked for, else at that of the file.
+    fn offsets(&self, net: &NetDesign) -> Result<Vec<PnSurface>, Failure> {
+        let own = net.net.settings.distance.filter(|distance| *distance != 0.0);
+        let own = own.filter(|_| self.distance.is_empty() && net.pn_method().is_some());
+        if self.distance.is_empty() && own.is_none() {
+            return Ok(Vec::new());
+        }
+        let surface = normals::surface(net, "the file")?;
+        let distances = self.distance.iter().copied().chain(own);
+        distances.map(|distance| surface.offset(distance)).collect::<Result<_, _>>().map_err(Failure::work)
+    }
+
+    /// The visible lines of surfaces, how they are seen, and the box round them.
     fn wires(
         &self,
-        surface: &dyn ParamSurface,
+        surfaces: &[&dyn ParamSurface],
         from: Point<3>,
         steps: usize,
     ) -> Result<(Figure, View, Option<BoundingBox<3>>), Failure> {
         let view = View::from_direction(self.view.unwrap_or(from));
-        let grid = surface.grid(steps).map_err(Failure::work)?;
+        let grids = surfaces.iter().map(|surface| surface.grid(steps)).collect::<Result<Vec<_>, _>>();
+        let grids = grids.map_err(Failure::work)?;
         let mut figure = self.titled();
-        figure.plot_surface(&grid, &view, Hidden::LeftOut);
-        Ok((figure, view, BoundingBox::of_points(grid.points())))
+        figure.plot_surfaces(&grids, &view, Hidden::LeftOut);
+        let bounds = grids.iter().filter_map(|grid| BoundingBox::of_points(grid.points()));
+        Ok((figure, view, bounds.reduce(BoundingBox::union)))
     }
 
     /// A figure with what stands around it.
@@ -319,6 +443,34 @@ impl Render {
     }
 }
 
+/// A curve of the plane that .step holds exactly.
+enum Exact {
+    Ph(PhCurve),
+    Rational(RationalCurve),
+}
+
+impl Exact {
+    fn curve(&self) -> &dyn ParamCurve<2> {
+        match self {
+            Exact::Ph(curve) => curve,
+            Exact::Rational(curve) => curve,
+        }
+    }
+}
+
+/// A figure in the format of a picture.
+pub(crate) fn picture(figure: &Figure, format: Format, width: u32) -> Result<Vec<u8>, Failure> {
+    if figure.lacks_axes() {
+        say("grafika", NO_AXES);
+    }
+    let content = match format {
+        Format::Svg => figure.to_svg_of_width(width).map(String::into_bytes),
+        Format::Pdf => figure.to_pdf_of_width(width),
+        _ => figure.to_png(width),
+    };
+    content.map_err(Failure::work)
+}
+
 /// The colours of the curves of a document, for paper; a white one is drawn as curves are.
 fn curve_inks(document: &EcDocument) -> Vec<[u8; 3]> {
     let ink = |curve: &EcCurve| match Color::from_index(curve.style.colour) {
@@ -343,11 +495,12 @@ fn curve_inks(document: &EcDocument) -> Vec<[u8; 3]> {
 const NO_AXES: &str = "the picture has no axes: so far from the origin their numbers would need too many digits to be \
                        told apart; move the points nearer to the origin";
 
-const FORMATS: &str = "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step";
+const FORMATS: &str =
+    "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step, PH curves also as .step";
 
 /// What is written, by the extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
+pub(crate) enum Format {
     Png,
     Svg,
     Pdf,
@@ -366,7 +519,7 @@ impl Format {
     }
 
     /// The format of an extension without its dot, in any case.
-    fn parse(extension: &str) -> Result<Format, String> {
+    pub(crate) fn parse(extension: &str) -> Result<Format, String> {
         Ok(match extension.to_lowercase().as_str() {
             "png" => Format::Png,
             "svg" => Format::Svg,
@@ -379,7 +532,18 @@ impl Format {
         })
     }
 
-    fn is_model(self) -> bool {
+    /// The format of models; `None` for pictures.
+    pub(crate) fn model(self) -> Option<ModelFormat> {
+        match self {
+            Format::Step => Some(ModelFormat::Step),
+            Format::Stl => Some(ModelFormat::Stl),
+            Format::Obj => Some(ModelFormat::Obj),
+            Format::Ply => Some(ModelFormat::Ply),
+            Format::Png | Format::Svg | Format::Pdf => None,
+        }
+    }
+
+    pub(crate) fn is_model(self) -> bool {
         !matches!(self, Format::Png | Format::Svg | Format::Pdf)
     }
 }

@@ -2,12 +2,12 @@
 
 use crate::curve::CurveArgs;
 use crate::normals;
+use crate::ph::PhShape;
 use crate::source::is_stream;
-use crate::space::{as_csv, as_json};
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
-use grafika::figure::{curve_csv, curve_json, surface_csv, surface_json};
+use grafika::figure::{curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
 use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
@@ -20,6 +20,7 @@ pub(crate) const SURFACE_STEPS: u32 = 10;
 #[command(after_help = "Examples:
   grafika sample A.IP2 --method spline --closed --per-span 20
   grafika sample A.ZMS -o a.json
+  grafika sample A.IP2 --method phspline --closed --uniform 200 --quantities
   cat six.json | grafika sample - --from json --method bspline3 -o - --to json > points.json")]
 pub(crate) struct Sample {
     #[command(flatten)]
@@ -30,9 +31,13 @@ pub(crate) struct Sample {
     /// First, or first and second derivatives of a curve, by its parameter
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=2))]
     derivatives: u8,
-    /// Normals and radii of curvature too, of surfaces by --method pn
-    #[arg(long)]
+    /// Length, speed, curvature and directions of a PH curve as well; normals and radii of curvature of a surface by pn
+    #[arg(long, conflicts_with = "derivatives")]
     quantities: bool,
+    /// N + 1 points of a PH curve at equal lengths from each other, instead of equal steps a span
+    #[arg(long, value_name = "N", conflicts_with_all = ["derivatives", "per_span"],
+        value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    uniform: Option<u32>,
     /// Which items of a scene that has both
     #[arg(long, value_name = "KIND")]
     items: Option<Items>,
@@ -54,8 +59,10 @@ enum Items {
 impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        if self.quantities {
-            return self.with_quantities();
+        if self.quantities || self.uniform.is_some() {
+            let (design, name) = self.curve.design()?;
+            let text = self.exact(&design, &name)?;
+            return write_output(self.output.as_deref(), text.as_bytes());
         }
         let (_, shape) = self.curve.shape()?;
         let alive = progress::alive("sampling");
@@ -69,19 +76,31 @@ impl Sample {
         write_output(self.output.as_deref(), text.as_bytes())
     }
 
-    /// Points with what is exact about them.
-    fn with_quantities(&self) -> Result<(), Failure> {
-        let (design, name) = self.curve.design()?;
-        let Design::Net(net) = design else {
-            return Err(Failure::usage("--quantities is for surfaces by --method pn"));
+    /// What only PH curves know exactly.
+    fn exact(&self, design: &Design, name: &str) -> Result<String, Failure> {
+        if let (Design::Net(net), None) = (design, self.uniform) {
+            let alive = progress::alive("sampling");
+            let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+            let rows = normals::quantities(&normals::surface(net, name)?, steps)?;
+            drop(alive);
+            let header = normals::QUANTITIES;
+            return self.table(
+                &rows,
+                |rows| quantity_csv(&header, rows),
+                |rows| quantity_json(&header, 2, rows),
+            );
+        }
+        let shape = PhShape::of(design, name)?;
+        let places = match self.uniform {
+            Some(steps) => shape.by_length(steps as usize)?,
+            None => shape.by_parameter(self.per_span.unwrap_or(50) as usize)?,
         };
         let alive = progress::alive("sampling");
-        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-        let rows = normals::quantities(&normals::surface(&net, &name)?, steps)?;
-        let header = normals::QUANTITIES.map(str::to_owned);
-        let text = self.table(rows, |rows| as_csv(&header, &rows), |rows| as_json(&header, &rows))?;
+        let header = shape.header(self.quantities);
+        let rows: Vec<Vec<Option<f64>>> =
+            places.into_iter().map(|place| shape.row(place, self.quantities)).collect();
         drop(alive);
-        write_output(self.output.as_deref(), text.as_bytes())
+        self.table(&rows, |rows| quantity_csv(&header, rows), |rows| quantity_json(&header, 1, rows))
     }
 
     /// The curves or the surfaces of a scene, numbered in their order.

@@ -152,7 +152,7 @@ fn transformation(basis: &EcBasis) -> Result<(Vec<String>, Vec<Vec<f64>>), Failu
     Ok((["i", "j", "t"].map(str::to_owned).into(), cells.collect()))
 }
 
-pub(crate) fn as_csv(header: &[String], rows: &[Vec<f64>]) -> String {
+fn as_csv(header: &[String], rows: &[Vec<f64>]) -> String {
     let mut text = header.join(",") + "\n";
     for row in rows {
         let cells: Vec<String> = row.iter().map(|value| number(*value)).collect();
@@ -162,7 +162,7 @@ pub(crate) fn as_csv(header: &[String], rows: &[Vec<f64>]) -> String {
     text
 }
 
-pub(crate) fn as_json(header: &[String], rows: &[Vec<f64>]) -> String {
+fn as_json(header: &[String], rows: &[Vec<f64>]) -> String {
     let objects = rows.iter().map(|row| {
         let fields = header.iter().cloned().zip(row.iter().map(|&value| {
             match value.fract() == 0.0 && value.abs() < 1e9 {

@@ -1,0 +1,139 @@
+//! `grafika measure`: the exact length of a PH curve, how it bends, and how far it can be offset; of a surface with
+//! Pythagorean normals, its radii of curvature and how far it can be offset.
+
+use crate::curve::CurveArgs;
+use crate::normals;
+use crate::ph::PhShape;
+use crate::sample::extension;
+use clap::Args;
+use grafika::design::Design;
+use grafika::file::number;
+use grafika::geometry::ph::{PhCurve, SpacePhCurve};
+use grafika::launch::{Failure, progress, write_output};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// The command line of `grafika measure`.
+#[derive(Args)]
+#[command(after_help = "Examples:
+  grafika measure A.IP2 --method phspline --closed
+  grafika measure A.IC2 --method phhermite -o a.json
+  grafika measure N.PN")]
+pub(crate) struct Measure {
+    #[command(flatten)]
+    curve: CurveArgs,
+    /// Where to write; .json [default: text on standard output]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Format of what is written, json or txt, where no name says it
+    #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]
+    to: Option<String>,
+}
+
+impl Measure {
+    /// Measures and writes.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let said = self.to.as_ref().map(|said| said.to_lowercase());
+        let json = match said.or_else(|| extension(self.output.as_deref())).as_deref() {
+            None | Some("txt") => false,
+            Some("json") => true,
+            Some(other) => {
+                let message = format!("-o: measures are written as .json or .txt, not .{other}");
+                return Err(Failure::usage(message));
+            }
+        };
+        let (design, name) = self.curve.design()?;
+        if let Design::Net(net) = &design {
+            let alive = progress::alive("measuring");
+            let measured = normals::measured(net, &name)?;
+            drop(alive);
+            let text = if json { measured.to_string() } else { normals::told(&measured).join("\n") };
+            return write_output(self.output.as_deref(), format!("{text}\n").as_bytes());
+        }
+        let shape = PhShape::of(&design, &name)?;
+        let alive = progress::alive("measuring");
+        let text = match (&shape, json) {
+            (PhShape::Plane(curve), true) => format!("{}\n", plane_json(curve)),
+            (PhShape::Space(curve), true) => format!("{}\n", space_json(curve)),
+            (PhShape::Plane(curve), false) => plane_text(curve),
+            (PhShape::Space(curve), false) => space_text(curve),
+        };
+        drop(alive);
+        write_output(self.output.as_deref(), text.as_bytes())
+    }
+}
+
+fn plane_json(curve: &PhCurve) -> Value {
+    let extrema = curve.curvature_extrema().into_iter().map(|extremum| {
+        let place = extremum.place;
+        json!({ "span": place.span, "u": place.u, "kappa": extremum.curvature })
+    });
+    let inflections =
+        curve.inflections().into_iter().map(|place| json!({ "span": place.span, "u": place.u }));
+    let spans =
+        curve.segments().iter().enumerate().map(
+            |(span, segment)| json!({ "length": curve.span_length(span), "control": segment.control() }),
+        );
+    json!({
+        "length": curve.total_length(),
+        "energy": curve.energy(),
+        "rotation": curve.absolute_rotation(),
+        "offset_limits": curve.offset_limits(),
+        "curvature_extrema": extrema.collect::<Vec<_>>(),
+        "inflections": inflections.collect::<Vec<_>>(),
+        "spans": spans.collect::<Vec<_>>(),
+    })
+}
+
+fn space_json(curve: &SpacePhCurve) -> Value {
+    let spans =
+        curve.segments().iter().enumerate().map(
+            |(span, segment)| json!({ "length": curve.span_length(span), "control": segment.control() }),
+        );
+    json!({
+        "length": curve.total_length(),
+        "energy": curve.energy(),
+        "spans": spans.collect::<Vec<_>>(),
+    })
+}
+
+/// A number, or that it is infinite.
+fn finite(value: Option<f64>) -> String {
+    value.map_or_else(|| "infinite".to_owned(), number)
+}
+
+fn plane_text(curve: &PhCurve) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let mut line = |name: &str, value: String| {
+        let _ = writeln!(text, "{name:18} {value}");
+    };
+    line("length", number(curve.total_length()));
+    line("energy", finite(curve.energy()));
+    line("rotation", format!("{} turns", number(curve.absolute_rotation())));
+    let [right, left] = curve.offset_limits();
+    let limit = |limit: Option<f64>| limit.map_or_else(|| "any distance".to_owned(), number);
+    line("offset to the left", format!("clean up to {}", limit(left)));
+    line("offset to the right", format!("clean up to {}", limit(right)));
+    for extremum in curve.curvature_extrema() {
+        let (place, curvature) = (extremum.place, extremum.curvature);
+        let radius = if curvature == 0.0 { "infinite".to_owned() } else { number(1.0 / curvature) };
+        line("curvature extremum", format!("radius {radius} at {} of span {}", number(place.u), place.span));
+    }
+    for place in curve.inflections() {
+        line("inflection", format!("at {} of span {}", number(place.u), place.span));
+    }
+    for span in 0..curve.segments().len() {
+        line(&format!("span {span}"), format!("length {}", finite(curve.span_length(span))));
+    }
+    text
+}
+
+fn space_text(curve: &SpacePhCurve) -> String {
+    let mut text = format!("length {}\nenergy {}\n", number(curve.total_length()), finite(curve.energy()));
+    for span in 0..curve.segments().len() {
+        let _ = writeln!(text, "span {span}: length {}", finite(curve.span_length(span)));
+    }
+    text
+}
