@@ -31,6 +31,8 @@ fn number(value: &Value) -> f64 {
 
 /// A new net.
 const NEW: &str = "key U\n";
+/// A normal in the middle turned far to one side.
+const TURNED: &str = "key N\ntype 11\ntype 0\nkey Enter\ntype -20\nkey Enter\n";
 
 #[test]
 fn samples_are_what_they_say() {
@@ -62,10 +64,11 @@ fn normals_are_typed_and_made() {
     let normal: [f64; 3] = serde_json::from_value(typed["normals"]["normals"][1][1].clone()).unwrap();
     let expected = [0.0, 0.5, 0.75_f64.sqrt()];
     assert!(normal.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{normal:?}");
-    // A keeps what the points say.
-    let fresh = model(NEW);
+    // A says what the points say, whatever the normals were.
+    let fresh = model(&format!("{NEW}key A"));
     let again = model(&format!("{NEW}key N\ntype 11\ntype 90\nkey Enter\ntype 60\nkey Enter\nkey A"));
     assert_eq!(fresh["normals"]["normals"], again["normals"]["normals"]);
+    assert_eq!(facts(&model(NEW))["limits"][1].is_null(), false);
 }
 
 #[test]
@@ -98,7 +101,7 @@ fn nets_of_other_sizes_lie_on_the_surface() {
 
 #[test]
 fn a_parabolic_patch_is_left_out_and_the_rest_stays() {
-    let bent = model(&format!("{NEW}key N\ntype 33\ntype 45\nkey Enter\ntype -20\nkey Enter"));
+    let bent = model(&sample("P", TURNED));
     let facts = facts(&bent);
     assert!(facts["parabolic"].as_u64() >= Some(1) && facts["parabolic"].as_u64() < Some(9), "{facts}");
     assert!(facts["r1"].is_array());
@@ -120,6 +123,13 @@ fn a_net_is_saved_with_all_that_is_its_own_and_read_again() {
 }
 
 #[test]
+fn nets_without_normals_get_them() {
+    let opened = model("key T\ntype A.FPS\nkey Enter\n");
+    assert_eq!(opened["points"].as_array().map(Vec::len), Some(5));
+    assert_eq!(opened["normals"]["normals"].as_array().map(Vec::len), Some(5));
+}
+
+#[test]
 fn pages_look_as_they_did() {
     for language in ["hu", "en"] {
         for (name, script) in [
@@ -129,13 +139,13 @@ fn pages_look_as_they_did() {
             ("compared", sample("P", "key F4")),
             ("radii", sample("Y", "key P\ntype 12\nkey Enter\nkey F\nkey T\nkey F5\nkey F5\nkey F5")),
             ("gauss", sample("Y", "key F8")),
-            ("red", format!("{NEW}key N\ntype 33\ntype 45\nkey Enter\ntype -20\nkey Enter")),
-            ("gauss_red", format!("{NEW}key N\ntype 33\ntype 45\nkey Enter\ntype -20\nkey Enter\nkey F8")),
+            ("red", sample("P", TURNED)),
+            ("gauss_red", sample("P", &format!("{TURNED}key F8"))),
             ("folded", sample("P", "key P\ntype -20\nkey Enter")),
             ("section", sample("G", "key P\ntype 4\nkey Enter\nkey M\nkey F\nkey D\nkey F6")),
             ("help", format!("{NEW}key F1")),
         ] {
-            let kept = run(&format!("lang {language}\n{script}"));
+            let kept = run(&format!("lang {language}\n{script}\nwait 4000"));
             pictures::assert_golden(&format!("pn_felul_{name}_{language}"), &kept.pictures["end.png"]);
         }
     }

@@ -110,13 +110,11 @@ pub(crate) fn folded(surface: &PnSurface, distance: f64) -> Option<String> {
         return Some("the surface itself is folded, and its offsets are too".to_owned());
     };
     let outside = low.is_some_and(|low| distance <= low) || high.is_some_and(|high| distance >= high);
-    let limit = |value: Option<f64>, none: &str| value.map_or_else(|| none.to_owned(), number);
-    outside.then(|| {
-        format!(
-            "the offset at {} is folded; offsets without folds are between {} and {}",
-            number(distance),
-            limit(low, "any distance on that side"),
-            limit(high, "any distance on that side")
-        )
-    })
+    let limits = match (low.map(number), high.map(number)) {
+        (Some(low), Some(high)) => format!("{low} < d < {high}"),
+        (Some(low), None) => format!("{low} < d"),
+        (None, high) => format!("d < {}", high.unwrap_or_default()),
+    };
+    outside
+        .then(|| format!("the offset at {} is folded; those without folds have {limits}", number(distance)))
 }

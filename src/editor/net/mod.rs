@@ -21,8 +21,8 @@ use super::picture::{Layer, Page};
 use super::seen::Item;
 use super::stage::Stage;
 use super::{Craft, Editor, refusal};
-use crate::design::{DesignError, Index, NetDesign, Part};
-use crate::file::{Document, Format, Method, Net, NetSettings};
+use crate::design::{DesignError, Index, NetDesign, Part, nets};
+use crate::file::{Document, Format, Method, Net, NetKind, NetSettings};
 use crate::geometry::{Border, BoundingBox, ParamSurface, Point};
 use crate::machine::{Asked, Asking, Tick};
 use crate::ui::look::{Look, Poles, Viewer};
@@ -137,6 +137,12 @@ impl Craft<3> for Nets {
         self.plan.kind.format()
     }
 
+    /// Any open net may be taken; what is saved has normals.
+    fn formats(&self, _: &NetDesign) -> Vec<Format> {
+        let others = self.plan.reads.iter().filter(|_| self.plan.family == Family::Normals);
+        std::iter::once(self.plan.kind).chain(others.copied()).map(NetKind::format).collect()
+    }
+
     fn commands(&self) -> Commands<Action> {
         tables::of(self.plan.family)
     }
@@ -151,7 +157,14 @@ impl Craft<3> for Nets {
             NetSettings { k0: kept.k0, bias: kept.bias, tension: kept.tension, ..NetSettings::default() };
         let net = Net { settings, ..Net::new(self.plan.kind, self.plan.net()) };
         let design = NetDesign { net, implied: self.plan.family.method() };
-        if self.plan.family == Family::Normals { design.with_automatic_normals() } else { design }
+        match self.plan.start {
+            // A spline through the points has no curvature at the border; the vault's own normals have.
+            Start::Vault(spacing, height) => {
+                let normals = Some(nets::vault_normals(self.plan.kind.shape(), spacing, height));
+                NetDesign { net: Net { normals, ..design.net }, ..design }
+            }
+            _ => design,
+        }
     }
 
     fn of_document(

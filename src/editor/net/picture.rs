@@ -135,10 +135,12 @@ impl Editor<Nets, 3> {
                 }
                 None => self.draw_values(page.screen, page.language),
             },
-            Layer::Over if self.craft.plan.family == Family::Normals && !self.stage.is_result() => {
-                if self.stage.begun() {
-                    self.draw_corner(page.screen, page.language);
-                }
+            Layer::Over
+                if self.craft.plan.family == Family::Normals
+                    && self.stage.begun()
+                    && !self.stage.is_result() =>
+            {
+                self.draw_corner(page.screen, page.language);
             }
             Layer::Legend if self.craft.plan.family != Family::Heights => {
                 self.craft.display.draw_legend(page.screen, page.language);
