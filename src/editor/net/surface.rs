@@ -50,6 +50,15 @@ pub(super) struct Part {
     pub(super) grid: Grid,
     /// Its own colour, for what stands beside the surface.
     pub(super) ink: Option<Color>,
+    /// Whether it is folded, and so drawn in red.
+    pub(super) folded: bool,
+}
+
+impl Part {
+    /// The colour of its lines, in a picture of the given one.
+    fn lines(&self, ink: Color) -> Color {
+        if self.folded { Color::LightRed } else { self.ink.unwrap_or(ink) }
+    }
 }
 
 impl Drawn {
@@ -92,7 +101,7 @@ impl Nets {
         let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
         let grid = surface.grid(steps)?;
         let spans = surface.spans();
-        let part = Part { surface: Some(surface), grid, ink: None };
+        let part = Part { surface: Some(surface), grid, ink: None, folded: false };
         Ok(Drawn { parts: vec![part], gaps: Vec::new(), spans, steps })
     }
 
@@ -140,13 +149,13 @@ pub(super) fn draw_parts(
             // The surface itself over what stands beside it.
             for own in [false, true] {
                 let parts = drawn.parts.iter().filter(|part| part.ink.is_none() == own);
-                parts.for_each(|part| draw_wires(screen, &part.grid, look, part.ink.unwrap_or(ink)));
+                parts.for_each(|part| draw_wires(screen, &part.grid, look, part.lines(ink)));
             }
         }
         Display::Filled => {
             let grids: Vec<&Grid> = drawn.parts.iter().map(|part| &part.grid).chain(&drawn.gaps).collect();
             draw_cells(screen, &grids, look, |index, _| match drawn.parts.get(index) {
-                Some(part) => (Color::Black, Some(part.ink.unwrap_or(ink))),
+                Some(part) => (Color::Black, Some(part.lines(ink))),
                 None => (Color::Red, Some(Color::LightRed)),
             });
         }

@@ -89,7 +89,8 @@ fn add(drawn: &mut Drawn, patches: &PnNet, ink: Option<Color>) -> Result<(), Des
     for [i, j] in (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j])) {
         if let Some(Ok(surface)) = patches.patch_surface(i, j) {
             let grid = surface.grid(drawn.steps)?;
-            drawn.parts.push(Part { surface: Some(Box::new(surface)), grid, ink });
+            let folded = offsets::is_folded(&surface);
+            drawn.parts.push(Part { surface: Some(Box::new(surface)), grid, ink, folded });
         }
     }
     Ok(())

@@ -26,9 +26,14 @@ pub(super) fn add(
         let Some(Ok(surface)) = patches.patch_surface(i, j) else { continue };
         for &d in &sides {
             let offset = surface.offset(d)?;
-            let ink = if folds(&surface, d) { Color::LightRed } else { Color::Yellow };
+            let folded = folds(&surface, d);
             let grid = offset.grid(steps)?;
-            drawn.parts.push(Part { surface: Some(Box::new(offset)), grid, ink: Some(ink) });
+            drawn.parts.push(Part {
+                surface: Some(Box::new(offset)),
+                grid,
+                ink: Some(Color::Yellow),
+                folded,
+            });
         }
         if beside.shell {
             let near = surface.offset(if beside.both { -distance } else { 0.0 })?.grid(steps)?;
@@ -46,7 +51,7 @@ pub(super) fn add(
                     let line = if k == 0 { &one } else { &other };
                     line.get(l).copied().unwrap_or_default()
                 });
-                drawn.parts.push(Part { surface: None, grid: wall, ink: Some(Color::Yellow) });
+                drawn.parts.push(Part { surface: None, grid: wall, ink: Some(Color::Yellow), folded: false });
             }
         }
     }
@@ -55,13 +60,21 @@ pub(super) fn add(
 
 /// Whether an offset turns over somewhere in a patch: a radius has another sign there.
 fn folds(surface: &PnSurface, distance: f64) -> bool {
-    let places = (0..PLACES * PLACES).map(|k| {
-        let place = |k: usize| k as f64 / (PLACES - 1) as f64;
-        [place(k / PLACES), place(k % PLACES)]
-    });
-    let radii = places.filter_map(|uv| surface.place([0, 0], uv)).flat_map(|place| place.radii);
-    let mut radii = radii;
-    radii.any(|radius| (radius + distance).signum() != radius.signum())
+    radii(surface).any(|pair| pair.iter().any(|radius| (radius + distance).signum() != radius.signum()))
+}
+
+/// Whether a patch is folded itself: a radius changes its sign.
+pub(super) fn is_folded(surface: &PnSurface) -> bool {
+    let mut signs = radii(surface).map(|pair| pair.map(f64::signum));
+    let first = signs.next();
+    signs.any(|sign| Some(sign) != first)
+}
+
+/// The radii of curvature in some places of a patch.
+fn radii(surface: &PnSurface) -> impl Iterator<Item = [f64; 2]> + '_ {
+    let place = |k: usize| k as f64 / (PLACES - 1) as f64;
+    let places = (0..PLACES * PLACES).map(move |k| [place(k / PLACES), place(k % PLACES)]);
+    places.filter_map(|uv| surface.place([0, 0], uv)).map(|place| place.radii)
 }
 
 /// The points of a grid along one of its sides, given by the way out of it.

@@ -20,7 +20,7 @@ const EVERYWHERE: [Words; 2] = [
     Words("J > 0 minden foltban", "J > 0 in every patch"),
 ];
 const CHANGES: Words = Words("J előjelet vált: ", "J changes sign: ");
-const OF: Words = Words(" folt, összesen ", " patches of ");
+const PATCHES: Words = Words(" folt", " patches");
 const FOLDED: Words = Words("a felület gyűrött", "the surface is folded");
 const NO_LIMITS: Words = Words("nincs határ", "no limits");
 const SPHERE: Words = Words("eltérés a gömbtől: ", "off the sphere: ");
@@ -87,7 +87,8 @@ fn corner(net: &NetDesign, told: &Told, beside: Beside, language: Language) -> V
                 (format!("{text}   (11,11)"), Color::LightGray)
             }
             count => {
-                let text = format!("{}{count}{}{}", CHANGES.of(language), OF.of(language), told.patches);
+                let (says, patches) = (CHANGES.of(language), PATCHES.of(language));
+                let text = format!("{says}{count} / {}{patches}", told.patches);
                 (text, Color::LightRed)
             }
         });
