@@ -1,8 +1,9 @@
 //! Speed of a surface's filled picture: a torus of 100 000 cells, its points projected and its cells
-//! drawn with their outlines by the depth of every pixel, as it is done anew when the view is turned.
+//! drawn with their outlines by the depth of every pixel, as it is done anew when the view is turned. And a net of 8 x 8
+//! points with normals, whose surface and offset are made anew while a point is dragged.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use grafika::geometry::{DepthBuffer, Point, Vertex, View};
+use grafika::geometry::{DepthBuffer, Grid, ParamSurface, PnData, PnMethod, PnNet, Point, Vertex, View};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -75,5 +76,51 @@ fn surface(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, surface);
+/// A vault of 8 x 8 points with their normals.
+fn vault() -> PnData {
+    let at = |k: usize, l: usize| -> Point<3> {
+        let [x, y] = [k, l].map(|index| 40.0 * (index as f64 - 3.5));
+        [x, y, -0.002 * (x * x + 1.5 * y * y)]
+    };
+    let points: Vec<Vec<Point<3>>> = (0..8).map(|k| (0..8).map(|l| at(k, l)).collect()).collect();
+    PnData::automatic(&points).expect("the points have a spline")
+}
+
+/// The grids of all patches and of their offsets.
+fn grids(data: &PnData) -> Vec<Grid> {
+    let net = PnNet::new(data, PnMethod::Normalised).expect("the vault curves everywhere");
+    let patches = (0..49).filter_map(|index| net.patch_surface(index / 7, index % 7)?.ok());
+    let both = patches.flat_map(|patch| {
+        let offset = patch.offset(20.0).expect("the distance is finite");
+        [patch.grid(4), offset.grid(2)]
+    });
+    both.collect::<Result<_, _>>().expect("there are few steps")
+}
+
+fn normals(c: &mut Criterion) {
+    let data = vault();
+    let mut group = c.benchmark_group("net of 8 x 8 points with normals");
+    group.bench_function("surface and offset", |b| b.iter(|| grids(black_box(&data))));
+    let (mut buffer, view) = (DepthBuffer::new(640, 480), View::from_angles(0.4, 0.7));
+    group.bench_function("surface and offset, drawn", |b| {
+        let mut vertices = Vec::new();
+        b.iter(|| {
+            buffer.clear();
+            for grid in grids(black_box(&data)) {
+                project(grid.points(), &view, &mut vertices);
+                for cell in grid.cells() {
+                    buffer.cell(&cell.map(|corner| vertices[corner]), 0, Some(15));
+                }
+            }
+            black_box(&mut buffer);
+        });
+    });
+    let net = PnNet::new(&data, PnMethod::Normalised).expect("the vault curves everywhere");
+    for (name, places, refined) in [("facts while dragging", 4, false), ("facts at rest", 9, true)] {
+        group.bench_function(name, |b| b.iter(|| black_box(&net).overview(places, refined)));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, surface, normals);
 criterion_main!(benches);

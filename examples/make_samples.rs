@@ -10,6 +10,8 @@
 
 #[path = "make_samples/nets.rs"]
 mod nets;
+#[path = "make_samples/normals.rs"]
+mod normals;
 #[path = "make_samples/offsets.rs"]
 mod offsets;
 #[path = "make_samples/spaces.rs"]
@@ -60,8 +62,17 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let single = single.into_iter().map(|(name, bytes)| Ok((name, bytes?)));
     let nets = nets::samples()?.into_iter().map(Ok);
     let spaces = spaces::samples()?.into_iter().map(Ok);
+    let normals = normals::samples()?.into_iter().map(Ok);
     let offsets = offsets::samples()?.into_iter().map(Ok);
-    plane.chain(space).chain(cubes).chain(single).chain(nets).chain(spaces).chain(offsets).collect()
+    plane
+        .chain(space)
+        .chain(cubes)
+        .chain(single)
+        .chain(nets)
+        .chain(spaces)
+        .chain(normals)
+        .chain(offsets)
+        .collect()
 }
 
 /// A finished Csángó cube where the program builds it: the first filling that a search of this seed finds.

@@ -25,6 +25,7 @@ pub mod gyongy_k;
 pub mod kc_ter;
 pub mod menu;
 pub mod ph_gorbe;
+pub mod pn_felul;
 mod puzzles;
 #[cfg(feature = "native")]
 pub mod telepit;
@@ -71,6 +72,7 @@ pub const ALL: &[Program] = &[
     zy_hspl::PROGRAM,
     kc_ter::PROGRAM,
     ph_gorbe::PROGRAM,
+    pn_felul::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,

@@ -447,6 +447,7 @@ fn a_net_is_the_surface_that_geometry_makes() {
                     bias: Some(bias),
                     tension: Some(tension),
                     extended,
+                    distance: None,
                 };
                 let found = described(&document(settings));
                 if method == Method::Coons {
@@ -616,7 +617,7 @@ mod commands {
                 (
                     &["A.CSK"],
                     1,
-                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP, .KCG to .KCJ and .RBC do",
+                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC and .RBS do",
                 ),
             ] {
                 let refused = scratch.refused(&[command, arguments].concat());

@@ -30,6 +30,7 @@ fn default_net(kind: NetKind) -> Rows {
             rows([4, 4], |k, l| if k < 2.0 && l < 2.0 { [corner(k), corner(l), 0.0] } else { [0.0; 3] })
         }
         NetKind::Fps | NetKind::Fbs => rows([5, 5], |k, l| [(k - 2.0) * 80.0, (l - 2.0) * 80.0, 0.0]),
+        NetKind::Pn => rows([4, 4], |k, l| [k - 1.5, l - 1.5, 0.1 * ((k - 1.5).powi(2) + (l - 1.5).powi(2))]),
         NetKind::Fem => rows([8, 5], |k, l| [(k - 3.5) * 70.0, (l - 2.0) * 70.0, 0.0]),
         NetKind::Fpb => rows([4, 4], |k, l| [(k - 1.5) * 120.0, (l - 1.5) * 120.0, 0.0]),
         NetKind::Zms | NetKind::Zmb => rows([8, 5], |k, l| {
@@ -233,6 +234,7 @@ fn step_surface(text: &str) -> BSplineSurface {
             .split("),(")
             .map(|row| row.split(',').map(|name| point(name.trim_start_matches('#'))).collect())
             .collect(),
+        weights: None,
     }
 }
 
@@ -340,6 +342,7 @@ fn every_kind_has_its_method() {
             NetKind::Fpb => "bezier",
             NetKind::Fbs | NetKind::Zmb | NetKind::Zyb => "bspline3",
             NetKind::Zyp => "beta",
+            NetKind::Pn => "pn",
         };
         let named = done(&["sample", &file, "--per-span", "2", "--method", method]);
         assert_eq!(table.as_bytes(), named, "{kind:?}");

@@ -24,6 +24,12 @@ pub enum DesignError {
     ForPlane(Method),
     /// The method's curves have no exact lengths and offsets; those of PH curves do.
     NoPh(Method),
+    /// The method is one of open nets only.
+    OpenOnly(Method),
+    /// A gap in a net of rational patches, by its place.
+    PatchMissing([usize; 2]),
+    /// Two patches at one place of a net.
+    PatchTwice([usize; 2]),
     /// A Hermite matrix of another size than 4 x 4.
     NoMatrix,
     /// A control point, counted from 1, lies outside of the field or of space.
@@ -67,7 +73,7 @@ impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DesignError::NoShape => f.write_str(
-                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP, .KCG to .KCJ and .RBC do",
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC and .RBS do",
             ),
             DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
             DesignError::Needs(Method::Fourier) => {
@@ -99,6 +105,16 @@ impl fmt::Display for DesignError {
                 "{} has no exact lengths and offsets; PH curves do: phspline, phhermite, and in the plane phcubic",
                 method.name()
             ),
+            DesignError::OpenOnly(method) => write!(
+                f,
+                "{} needs an open net of points, as .PN and .FPS files have it; surfaces that are closed like a sphere or \
+                 a ring do not fit into one chart of normals",
+                method.name()
+            ),
+            DesignError::PatchMissing([i, j]) => {
+                write!(f, "patch ({i}, {j}) is missing; patches form a net without gaps from (0, 0)")
+            }
+            DesignError::PatchTwice([i, j]) => write!(f, "patch ({i}, {j}) is there twice"),
             DesignError::NoMatrix => f.write_str("a Hermite matrix has 4 rows of 4"),
             DesignError::Outside(number, place) => {
                 write!(f, "point {number} at {place:?} lies outside of what the editor shows")

@@ -9,6 +9,7 @@ mod error;
 pub mod fourier;
 mod net;
 pub mod nets;
+mod normals;
 pub mod offset;
 pub mod ph;
 mod sketch;
@@ -16,10 +17,13 @@ mod sketch;
 pub use edit::{Edit, Place};
 pub use error::DesignError;
 pub use net::{Index, NetDesign, Part};
+pub use normals::NORMALS_SIZE;
 pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
-use crate::file::{CurveSettings, Document, Format, Method, NetSettings, RationalSpans, SpacePoints};
+use crate::file::{
+    CurveSettings, Document, Format, Method, NetSettings, Patches, RationalSpans, SpacePoints,
+};
 use crate::geometry::ph::Knots;
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
 
@@ -38,6 +42,8 @@ pub enum Design {
     Ec(Box<EcDocument>),
     /// A rational curve of the plane, such as an exact offset.
     Rational(Box<RationalSpans>),
+    /// A surface of rational Bézier patches.
+    Patches(Box<Patches>),
 }
 
 /// A curve or a surface.
@@ -66,6 +72,7 @@ impl Design {
             Document::Net(net) => Ok(Design::Net(NetDesign::new(net))),
             Document::Ec(document) => Ok(Design::Ec(document)),
             Document::Rational(spans) => Ok(Design::Rational(spans)),
+            Document::Patches(patches) => Ok(Design::Patches(patches)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
@@ -83,6 +90,7 @@ impl Design {
             Design::Space(sketch) => Shape::Space(sketch.curve()?),
             Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
             Design::Net(net) => Shape::Surface(net.surface()?),
+            Design::Patches(patches) => Shape::Surface(Box::new(normals::patches(patches)?)),
             Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
             Design::Rational(spans) => Shape::Plane(Box::new(offset::curve(spans)?)),
         })
@@ -117,6 +125,10 @@ pub fn naming(document: Document, implied: Option<Method>) -> Document {
 /// What files of a DOS format cannot hold of a document, by its names in JSON. Values that are drawn anyway, such as a
 /// bias of 1 or the program's `implied` method, do not count.
 pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec<String> {
+    if format.size().is_none() {
+        // JSON holds everything.
+        return Vec::new();
+    }
     let document = match document.clone() {
         Document::PlanePoints(mut plane) => {
             forget_usual(&mut plane.settings, implied);
@@ -127,12 +139,13 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
             Document::SpacePoints(space)
         }
         Document::Net(mut net) => {
-            let NetSettings { method, k0, bias, tension, extended } = &mut net.settings;
+            let NetSettings { method, k0, bias, tension, extended, distance } = &mut net.settings;
             *method = method.filter(|method| Some(*method) != implied);
             *k0 = k0.filter(|k0| *k0 != [0.5; 2]);
             *bias = bias.filter(|bias| *bias != [1.0; 2]);
             *tension = tension.filter(|tension| *tension != [0.0; 2]);
             *extended = extended.filter(|extended| *extended);
+            *distance = distance.filter(|distance| *distance != 0.0);
             Document::Net(net)
         }
         other => other,

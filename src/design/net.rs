@@ -1,6 +1,6 @@
 //! A surface by a control net, with its recipe.
 
-use super::DesignError;
+use super::{DesignError, NORMALS_SIZE};
 use crate::file::{Method, Net, NetKind, NetSettings};
 use crate::geometry::{Border, Method as Formula, ParamSurface, Point, Scheme, Surface, Topology};
 
@@ -58,6 +58,7 @@ impl NetDesign {
             NetKind::Fpb => Method::Bezier,
             NetKind::Fbs | NetKind::Zmb | NetKind::Zyb => Method::BSpline3,
             NetKind::Zyp => Method::Beta,
+            NetKind::Pn => Method::Pn,
         };
         NetDesign { net, implied }
     }
@@ -95,7 +96,8 @@ impl NetDesign {
         design
     }
 
-    /// Methods along u and v, topology and border; `None` for the Hermite patch.
+    /// Methods along u and v, topology and border; `None` for the Hermite patch and for surfaces with Pythagorean
+    /// normals.
     ///
     /// # Errors
     /// [`DesignError`] if the net lacks what the method needs.
@@ -107,6 +109,10 @@ impl NetDesign {
             (Method::Hermite, _) => return Err(DesignError::NeedsTwists),
             (Method::Coons | Method::Fourier | Method::PhSpline | Method::PhHermite | Method::PhCubic, _) => {
                 return Err(DesignError::ForCurves(method));
+            }
+            (Method::Pn | Method::PnThesis, kind) => {
+                let open = kind.topology() == Topology::Open;
+                return if open { Ok(None) } else { Err(DesignError::OpenOnly(method)) };
             }
             _ => {}
         }
@@ -123,10 +129,11 @@ impl NetDesign {
     /// # Errors
     /// Those of [`NetDesign::scheme`], and of the geometry.
     pub fn surface(&self) -> Result<Box<dyn ParamSurface>, DesignError> {
-        Ok(Box::new(match self.scheme()? {
-            Some(scheme) => Surface::new(scheme, &self.net.points)?,
-            None => Surface::hermite(&self.matrix()?)?,
-        }))
+        Ok(match self.scheme()? {
+            Some(scheme) => Box::new(Surface::new(scheme, &self.net.points)?),
+            None if self.is_matrix() => Box::new(Surface::hermite(&self.matrix()?)?),
+            None => Box::new(self.patches_with_normals()?.surface()?),
+        })
     }
 
     /// The surface as a solid model: on a sphere it reaches the poles, where the book's cubic B-spline leaves holes.
@@ -211,7 +218,9 @@ impl NetDesign {
     #[must_use]
     pub fn mirrored(&self, axis: usize) -> NetDesign {
         let mut design = self.clone();
-        for value in design.net.points.iter_mut().flatten().filter_map(|point| point.get_mut(axis)) {
+        let normals = design.net.normals.iter_mut().flatten().flatten();
+        let all = design.net.points.iter_mut().flatten().chain(normals);
+        for value in all.filter_map(|point| point.get_mut(axis)) {
             // Adding zero makes a negative zero positive.
             *value = -*value + 0.0;
         }
@@ -226,14 +235,15 @@ impl NetDesign {
         let (kind, shape) = (self.net.kind, self.shape());
         let fewest = if kind.topology() == Topology::Open { 2 } else { 3 };
         let least = kind.shape().map(|count| count.min(fewest));
+        let most = if kind == NetKind::Pn { *NORMALS_SIZE.end() } else { MOST };
         let fits = match self.is_matrix() {
             true => shape == [4, 4],
-            false => shape.iter().zip(least).all(|(&count, least)| (least..=MOST).contains(&count)),
+            false => shape.iter().zip(least).all(|(&count, least)| (least..=most).contains(&count)),
         };
         let points = &self.net.points;
         let near = points.iter().flatten().flatten().all(|value| value.abs() <= FARTHEST);
         if !fits || !near || points.iter().any(|row| row.len() != shape[1]) {
-            return Err(DesignError::NetSize { found: shape, least, most: MOST });
+            return Err(DesignError::NetSize { found: shape, least, most });
         }
         if kind.topology() != Topology::Sphere {
             return Ok(self);

@@ -54,3 +54,23 @@ pub fn torus([rows, columns]: [usize; 2], ring: f64, tube: f64) -> Vec<Vec<Point
     };
     (0..rows).map(circle).collect()
 }
+
+/// A grid over the plane, highest in the middle, falling with the square of the distance to the height 0 in its corners.
+pub fn vault(shape: [usize; 2], spacing: f64, height: f64) -> Vec<Vec<Point<3>>> {
+    let flat = plane(shape, spacing);
+    let corner = flat.first().and_then(|row| row.first()).map_or(1.0, |[x, y, _]| x * x + y * y);
+    let lift = |[x, y, _]: Point<3>| [x, y, (height * (1.0 - (x * x + y * y) / corner)).round()];
+    flat.into_iter().map(|row| row.into_iter().map(lift).collect()).collect()
+}
+
+/// The unit normals of [`vault`], upwards.
+pub fn vault_normals(shape: [usize; 2], spacing: f64, height: f64) -> Vec<Vec<Point<3>>> {
+    let flat = plane(shape, spacing);
+    let corner = flat.first().and_then(|row| row.first()).map_or(1.0, |[x, y, _]| x * x + y * y);
+    let normal = |[x, y, _]: Point<3>| {
+        let slope = [x, y].map(|side| 2.0 * height * side / corner);
+        let length = (slope[0] * slope[0] + slope[1] * slope[1] + 1.0).sqrt();
+        [slope[0] / length, slope[1] / length, 1.0 / length]
+    };
+    flat.into_iter().map(|row| row.into_iter().map(normal).collect()).collect()
+}

@@ -72,9 +72,9 @@ trait Craft<const D: usize>: Sized + 'static {
     fn behave(&mut self, _: Manner) {}
     /// Whether the value has a curve or surface.
     fn has_shape(editor: &Editor<Self, D>) -> bool;
-    /// The surface as a model for other programs.
-    fn surface(_: &Editor<Self, D>) -> Option<Box<dyn ParamSurface>> {
-        None
+    /// The surfaces as a model for other programs.
+    fn surfaces(_: &Editor<Self, D>) -> Vec<Box<dyn ParamSurface>> {
+        Vec::new()
     }
     /// What can be done now.
     fn hint(editor: &Editor<Self, D>) -> Option<Hint>;

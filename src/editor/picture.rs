@@ -52,7 +52,7 @@ impl<C: Craft<D>, const D: usize> Picture for Editor<C, D> {
     }
 
     fn surfaces(&self) -> Vec<Box<dyn ParamSurface>> {
-        C::surface(self).filter(|_| self.stage.begun()).into_iter().collect()
+        if self.stage.begun() { C::surfaces(self) } else { Vec::new() }
     }
 
     fn hint(&self) -> Option<Hint> {

@@ -190,14 +190,19 @@ impl<'a> Face<'a> {
         let rows: Vec<String> = net.iter().map(|row| List(row).to_string()).collect();
         let ([p, q], [u_closed, v_closed]) = (self.form.degrees, self.closed.map(Flag));
         let (knots, counts) = (&self.form.knots, &self.form.multiplicities);
+        let rows = List(&rows);
+        let net = format!("{p},{q},{rows},.UNSPECIFIED.,{u_closed},{v_closed},.U.");
+        let (counts, knots) = (counts.each_ref().map(|it| List(it)), knots.each_ref().map(|it| reals(it)));
+        let knots =
+            format!("{},{},{},{},.UNSPECIFIED.", counts[0], counts[1], List(&knots[0]), List(&knots[1]));
+        let Some(weights) = &self.form.weights else {
+            return file.add(format_args!("B_SPLINE_SURFACE_WITH_KNOTS('',{net},{knots})"));
+        };
+        let weights: Vec<String> = weights.iter().map(|row| List(&reals(row)).to_string()).collect();
         file.add(format_args!(
-            "B_SPLINE_SURFACE_WITH_KNOTS('',{p},{q},{},.UNSPECIFIED.,{u_closed},{v_closed},.U.,{},{},{},{},\
-             .UNSPECIFIED.)",
-            List(&rows),
-            List(&counts[0]),
-            List(&counts[1]),
-            List(&reals(&knots[0])),
-            List(&reals(&knots[1]))
+            "(BOUNDED_SURFACE()B_SPLINE_SURFACE({net})B_SPLINE_SURFACE_WITH_KNOTS({knots})\
+             GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE({})REPRESENTATION_ITEM('')SURFACE())",
+            List(&weights)
         ))
     }
 
@@ -251,21 +256,36 @@ impl<'a> Face<'a> {
 
     /// The border curve at the start (0) or end (1) of a direction.
     fn curve(&self, file: &mut File, net: &[Vec<Id>], across: usize, end: usize) -> Id {
-        let points: Vec<Id> = match (across, end) {
-            (0, 0) => net.first().cloned().unwrap_or_default(),
-            (0, _) => net.last().cloned().unwrap_or_default(),
-            (_, 0) => net.iter().filter_map(|row| row.first().copied()).collect(),
-            _ => net.iter().filter_map(|row| row.last().copied()).collect(),
-        };
         let along = 1 - across;
-        file.add(format_args!(
-            "B_SPLINE_CURVE_WITH_KNOTS('',{},{},.UNSPECIFIED.,{},.U.,{},{},.UNSPECIFIED.)",
+        let points = format!(
+            "{},{},.UNSPECIFIED.,{},.U.",
             self.form.degrees[along],
-            List(&points),
-            Flag(self.closed[along]),
+            List(&line(net, across, end)),
+            Flag(self.closed[along])
+        );
+        let knots = format!(
+            "{},{},.UNSPECIFIED.",
             List(&self.form.multiplicities[along]),
             List(&reals(&self.form.knots[along]))
+        );
+        let Some(weights) = &self.form.weights else {
+            return file.add(format_args!("B_SPLINE_CURVE_WITH_KNOTS('',{points},{knots})"));
+        };
+        file.add(format_args!(
+            "(BOUNDED_CURVE()B_SPLINE_CURVE({points})B_SPLINE_CURVE_WITH_KNOTS({knots})CURVE()\
+             GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE({})REPRESENTATION_ITEM(''))",
+            List(&reals(&line(weights, across, end)))
         ))
+    }
+}
+
+/// The row or the column of a net at the start (0) or end (1) of a direction.
+fn line<T: Copy>(net: &[Vec<T>], across: usize, end: usize) -> Vec<T> {
+    match (across, end) {
+        (0, 0) => net.first().cloned().unwrap_or_default(),
+        (0, _) => net.last().cloned().unwrap_or_default(),
+        (_, 0) => net.iter().filter_map(|row| row.first().copied()).collect(),
+        _ => net.iter().filter_map(|row| row.last().copied()).collect(),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::ec::EcCurve;
 use super::table::{decoded, decoded_table};
 use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints, TableOptions};
+use crate::geometry::Topology;
 
 /// Extensions of tables of text that are read; they are written as CSV.
 pub const TABLES: [&str; 4] = ["tsv", "tab", "txt", "dat"];
@@ -107,6 +108,12 @@ impl Document {
             }
             (Self::Net(net), _) => Self::Net(match NetKind::of(format) {
                 Some(kind) if net.kind.goes_into(kind) => Net { kind, ..net },
+                // Any net can be that of points whose normals follow from them.
+                Some(kind @ NetKind::Pn)
+                    if net.kind.topology() == Topology::Open && net.kind != NetKind::Fhc =>
+                {
+                    Net { kind, ..net }
+                }
                 _ => net,
             }),
             (document, _) => document,

@@ -2,8 +2,8 @@
 
 use super::ec::EcDocument;
 use super::{
-    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, PlanePoints, RationalSpans,
-    SpacePoints, Tangents, billiards, settings,
+    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, Patches, PlanePoints,
+    RationalSpans, SpacePoints, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -30,6 +30,8 @@ pub enum Document {
     Ec(Box<EcDocument>),
     /// `.RBC`: a rational curve of the plane.
     Rational(Box<RationalSpans>),
+    /// `.RBS`: rational Bézier patches, as offsets are written.
+    Patches(Box<Patches>),
 }
 
 impl Document {
@@ -77,10 +79,10 @@ impl Document {
             (Self::SpacePoints(points), Format::Ip3) => points.write(),
             (Self::BeadWheel(wheel), Format::Gyk) => Ok(wheel.write()),
             (Self::CsangoCube(cube), Format::Csk) => cube.write(),
+            _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             (Self::Net(net), _) if NetKind::of(format).is_some_and(|kind| net.kind.goes_into(kind)) => {
                 net.write(NetKind::of(format).unwrap_or(net.kind))
             }
-            _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             _ => {
                 let content = self.format().english();
                 Err(FileError::misfit(format, format!("{content}; it holds {}", format.english())))
@@ -104,6 +106,7 @@ impl Document {
             Self::Billiards(_) => Format::Bil,
             Self::Ec(document) => document.format(),
             Self::Rational(_) => Format::Rbc,
+            Self::Patches(_) => Format::Rbs,
         }
     }
 
@@ -124,6 +127,7 @@ impl Document {
             Self::Billiards(game) => game.check().map_err(|error| FileError::Invalid(error.to_string())),
             Self::Ec(document) => document.check(),
             Self::Rational(spans) => spans.check(),
+            Self::Patches(patches) => patches.check(),
         }
     }
 
@@ -141,6 +145,7 @@ impl Document {
             Self::Billiards(game) => billiards::describe(game),
             Self::Ec(document) => document.describe(),
             Self::Rational(spans) => spans.describe(),
+            Self::Patches(patches) => patches.describe(),
         }
     }
 
@@ -157,7 +162,8 @@ impl Document {
             | Self::CsangoCube(_)
             | Self::Billiards(_)
             | Self::Ec(_)
-            | Self::Rational(_) => Vec::new(),
+            | Self::Rational(_)
+            | Self::Patches(_) => Vec::new(),
         }
     }
 
@@ -174,7 +180,8 @@ impl Document {
             | Self::CsangoCube(_)
             | Self::Billiards(_)
             | Self::Ec(_)
-            | Self::Rational(_) => {}
+            | Self::Rational(_)
+            | Self::Patches(_) => {}
         }
         self
     }

@@ -30,6 +30,8 @@ pub enum Format {
     Kce,
     Kcj,
     Rbc,
+    Pn,
+    Rbs,
 }
 
 /// One row of the table.
@@ -81,6 +83,8 @@ rows! {
     Kce "KCE" None, "coefficients of an exact description" "pontos leírás együtthatói";
     Kcj "KCJ" None, "scene of curves and surfaces" "görbék és felületek jelenete";
     Rbc "RBC" None, "rational curve of the plane" "síkbeli racionális görbe";
+    Pn "PN" None, "net of points with normals" "pontok hálója normálisokkal";
+    Rbs "RBS" None, "rational Bézier patches" "racionális Bézier-foltok";
 }
 
 impl Format {
@@ -163,7 +167,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Rbc as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Rbs as usize + 1, Format::ALL.len());
     }
 
     #[test]

@@ -70,6 +70,7 @@ impl Document {
             Format::Kce => fields(text).map(EcDocument::Coefficients).map(Self::from),
             Format::Kcj => fields(text).map(EcDocument::Scene).map(Self::from),
             Format::Rbc => fields(text).map(Box::new).map(Self::Rational),
+            Format::Rbs => fields(text).map(Box::new).map(Self::Patches),
             _ => fields(text).map(|net: Net| {
                 // Every format that is left has a kind of net.
                 Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
@@ -97,6 +98,7 @@ impl Document {
             Self::Billiards(value) => tagged(format, value.as_ref()),
             Self::Ec(value) => value.written(),
             Self::Rational(value) => tagged(format, value.as_ref()),
+            Self::Patches(value) => tagged(format, value.as_ref()),
         };
         compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
     }

@@ -1,4 +1,4 @@
-//! Control nets of the surfaces: `.FHC` to `.ZYP`.
+//! Control nets of the surfaces: `.FHC` to `.ZYP`, and `.PN` with normals.
 //!
 //! 8 x 5 records of 16 bytes, record 5 k + l: x, y, z (singles) and the place on the screen xr, yr (integers),
 //! whatever the size of the net itself; the records outside it are free.
@@ -39,6 +39,8 @@ pub enum NetKind {
     Zyb,
     /// Beta-spline surface with the topology of a torus, as ZY_BETSP saves it.
     Zyp,
+    /// Points with unit normals, in JSON only.
+    Pn,
 }
 
 /// Nets of one family may be saved under each other's extensions.
@@ -50,6 +52,7 @@ enum Family {
     Bezier,
     Sphere,
     Torus,
+    Normals,
 }
 
 /// A control net of a surface.
@@ -61,6 +64,9 @@ pub struct Net {
     pub kind: NetKind,
     /// Point (k, l) is `points[k][l]`; k counts in the direction of u, l in that of v.
     pub points: Vec<Vec<[f64; 3]>>,
+    /// The unit normals in the points of a net of [`NetKind::Pn`]; without them they follow from the points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub normals: Option<Vec<Vec<[f64; 3]>>>,
     /// How the surface is drawn; only JSON holds this.
     #[serde(default, skip_serializing_if = "NetSettings::is_empty")]
     pub settings: NetSettings,
@@ -75,7 +81,7 @@ impl NetKind {
     pub const TORUS_VIEW: [f64; 3] = [0.3, -0.7, 0.4];
 
     /// Every kind.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Fhc,
         Self::Fps,
         Self::Fem,
@@ -86,6 +92,7 @@ impl NetKind {
         Self::Zys,
         Self::Zyb,
         Self::Zyp,
+        Self::Pn,
     ];
 
     /// The format of its DOS files.
@@ -102,6 +109,7 @@ impl NetKind {
             Self::Zys => Format::Zys,
             Self::Zyb => Format::Zyb,
             Self::Zyp => Format::Zyp,
+            Self::Pn => Format::Pn,
         }
     }
 
@@ -111,11 +119,11 @@ impl NetKind {
         Self::ALL.into_iter().find(|kind| kind.format() == format)
     }
 
-    /// Number of points in the directions of u and v.
+    /// Number of points in the directions of u and v; nets that are JSON only begin with it.
     #[must_use]
     pub fn shape(self) -> [usize; 2] {
         match self.family() {
-            Family::Hermite | Family::Bezier => [4, 4],
+            Family::Hermite | Family::Bezier | Family::Normals => [4, 4],
             Family::Open => [5, 5],
             Family::Heights | Family::Sphere | Family::Torus => [8, 5],
         }
@@ -135,6 +143,7 @@ impl NetKind {
             Self::Fps | Self::Fbs => Family::Open,
             Self::Zms | Self::Zmb => Family::Sphere,
             Self::Zys | Self::Zyb | Self::Zyp => Family::Torus,
+            Self::Pn => Family::Normals,
         }
     }
 
@@ -151,7 +160,9 @@ impl NetKind {
     #[must_use]
     pub fn topology(self) -> Topology {
         match self.family() {
-            Family::Hermite | Family::Open | Family::Heights | Family::Bezier => Topology::Open,
+            Family::Hermite | Family::Open | Family::Heights | Family::Bezier | Family::Normals => {
+                Topology::Open
+            }
             Family::Sphere => Topology::Sphere,
             Family::Torus => Topology::Torus,
         }
@@ -177,12 +188,32 @@ impl Net {
     /// A net without settings.
     #[must_use]
     pub fn new(kind: NetKind, points: Vec<Vec<[f64; 3]>>) -> Self {
-        Self { kind, points, settings: NetSettings::default() }
+        Self { kind, points, normals: None, settings: NetSettings::default() }
     }
 
     /// # Errors
-    /// [`FileError::Invalid`] when a number is not finite or the rows are not equally long.
+    /// [`FileError::Invalid`] when a number is not finite, the rows are not equally long, or there are normals that do
+    /// not belong to the points.
     pub(super) fn check(&self) -> Result<(), FileError> {
+        if let Some(normals) = &self.normals {
+            if self.kind != NetKind::Pn {
+                let problem = format!("normals belong to a net of the format PN, not {}", self.kind.format());
+                return Err(FileError::Invalid(problem));
+            }
+            for (k, row) in normals.iter().enumerate() {
+                check::finite(&format!("row {k}, normal"), row)?;
+            }
+            let lengths = |rows: &[Vec<[f64; 3]>]| rows.iter().map(Vec::len).collect::<Vec<_>>();
+            if lengths(normals) != lengths(&self.points) {
+                let size =
+                    |rows: &[Vec<[f64; 3]>]| format!("{} x {}", rows.len(), rows.first().map_or(0, Vec::len));
+                return Err(FileError::Invalid(format!(
+                    "{} normals and {} points; every point has one normal",
+                    size(normals),
+                    size(&self.points)
+                )));
+            }
+        }
         let columns = self.points.first().map_or(0, Vec::len);
         for (k, row) in self.points.iter().enumerate() {
             check::finite(&format!("row {k}, point"), row)?;
@@ -204,6 +235,11 @@ impl Net {
         for (k, row) in self.points.iter().enumerate() {
             for (l, point) in row.iter().enumerate() {
                 lines.push(format!("point {k}, {l}: {}", point.map(check::number).join(", ")));
+            }
+        }
+        for (k, row) in self.normals.iter().flatten().enumerate() {
+            for (l, normal) in row.iter().enumerate() {
+                lines.push(format!("normal {k}, {l}: {}", normal.map(check::number).join(", ")));
             }
         }
         lines.extend(settings::describe(&self.settings));

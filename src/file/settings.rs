@@ -33,11 +33,16 @@ pub enum Method {
     PhHermite,
     /// Pythagorean-hodograph cubics with given directions of the tangents.
     PhCubic,
+    /// Pythagorean normals: through points with unit normals, in standard position.
+    Pn,
+    /// Pythagorean normals by the thesis's method on the data as they are.
+    #[serde(rename = "pn-thesis")]
+    PnThesis,
 }
 
 impl Method {
     /// Every method with its name in JSON and on command lines.
-    pub const ALL: [(&'static str, Self); 12] = [
+    pub const ALL: [(&'static str, Self); 14] = [
         ("coons", Self::Coons),
         ("bezier", Self::Bezier),
         ("spline", Self::Spline),
@@ -50,6 +55,8 @@ impl Method {
         ("phspline", Self::PhSpline),
         ("phhermite", Self::PhHermite),
         ("phcubic", Self::PhCubic),
+        ("pn", Self::Pn),
+        ("pn-thesis", Self::PnThesis),
     ];
 
     /// The method that draws so, with the parameters that it has among these; `None` for those that need
@@ -65,7 +72,13 @@ impl Method {
             Self::BSpline3 => Method::BSpline3,
             Self::Beta => Method::Beta { bias, tension },
             Self::Local => Method::Local { k0 },
-            Self::Hermite | Self::Fourier | Self::PhSpline | Self::PhHermite | Self::PhCubic => return None,
+            Self::Hermite
+            | Self::Fourier
+            | Self::PhSpline
+            | Self::PhHermite
+            | Self::PhCubic
+            | Self::Pn
+            | Self::PnThesis => return None,
         })
     }
 
@@ -131,6 +144,9 @@ pub struct NetSettings {
     /// Whether a cubic B-spline is led to its borders and poles instead of ending before them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extended: Option<bool>,
+    /// The distance along the normals of the offset that is drawn beside a surface with Pythagorean normals.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distance: Option<f64>,
 }
 
 impl CurveSettings {

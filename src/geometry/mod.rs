@@ -84,8 +84,8 @@ pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
 pub use param::{ParamCurve, Sample};
 pub use pn::{
-    Jacobian, PnData, PnMethod, PnNet, PnPlace, PnSurface, RadiusRange, RationalPatch, RationalSurface,
-    SafeDistances, Shell,
+    Jacobian, Overview, PnData, PnMethod, PnNet, PnPlace, PnSurface, RadiusRange, RationalPatch,
+    RationalPatches, RationalSurface, SafeDistances, Shell,
 };
 pub use point::{Point, cross, dot, norm};
 pub use smooth::{

@@ -30,7 +30,7 @@ const ARROWS: [[(i32, i32); 2]; 12] = [
 pub(crate) fn draw_axes(screen: &mut Screen, look: Look) {
     let (x0, y0) = look.to_screen([0.0; 3]);
     for (name, end, (dx, dy)) in AXES {
-        let (x, y) = look.to_screen(end);
+        let (x, y) = look.to_screen(end.map(|x| look.length(x)));
         screen.line(x0, y0, x, y, Stroke::thin(Color::White));
         screen.text(x + dx, y + dy, name, Color::White);
     }

@@ -1,13 +1,17 @@
 //! The view of space and its scale, and how the user changes them. They are not part of the edited value, so they are
 //! neither saved nor undone.
 
-use crate::geometry::{Point, Turn, View};
+use crate::geometry::{BoundingBox, Point, Turn, View};
 use crate::machine::{Button, Event, Key, Tick};
 
 /// Steps of the wheel that double the scale.
 const DOUBLING: i32 = 4;
 /// The largest number of steps away from the scale of 1: eight times as large or as small.
 const MOST: i32 = 3 * DOUBLING;
+/// Extents, from corner to corner, between which a box is shown at the scale of 1, and pixels that others are given.
+const SMALL: f64 = 150.0;
+const LARGE: f64 = 500.0;
+const FRAMED: f64 = 330.0;
 /// Pixels of mouse movement per radian: the front of a ball of this radius follows the mouse.
 const RADIAN: f64 = 200.0;
 
@@ -24,8 +28,12 @@ pub(crate) struct Look {
     /// The initial view, which Home restores.
     home: View,
     poles: Poles,
-    /// Wheel steps from the scale of one pixel per unit of length.
+    /// Wheel steps from the scale of `unit`.
     zoom: i32,
+    /// Pixels per unit of length before zooming.
+    unit: f64,
+    /// The place in the middle of the picture.
+    middle: Point<3>,
 }
 
 /// What an arrow key does when the view is along the z axis.
@@ -41,16 +49,39 @@ impl Look {
     /// The look at a new configuration from a direction.
     pub(crate) fn new(direction: Point<3>, poles: Poles) -> Look {
         let home = View::from_direction(direction);
-        Look { view: home, home, poles, zoom: 0 }
+        Look { view: home, home, poles, zoom: 0, unit: 1.0, middle: [0.0; 3] }
+    }
+
+    /// The look that shows all of a box, if at the scale of 1 it would be far too small, too large or beside the
+    /// picture.
+    pub(crate) fn framing(self, bounds: &BoundingBox<3>) -> Look {
+        let middle: Point<3> = std::array::from_fn(|d| 0.5 * (bounds.min[d] + bounds.max[d]));
+        let extent = bounds.extent();
+        if (SMALL..=LARGE).contains(&extent) && middle.iter().all(|x| x.abs() < 0.25 * LARGE) {
+            return self;
+        }
+        let unit = FRAMED / extent;
+        if unit.is_finite() && unit > 0.0 { Look { unit, middle, ..self } } else { self }
+    }
+
+    /// The coordinate of the middle of the picture along an axis.
+    pub(crate) fn middle(self, axis: usize) -> f64 {
+        self.middle.get(axis).copied().unwrap_or(0.0)
+    }
+
+    /// Units of length per pixel before zooming.
+    pub(crate) fn length(self, pixels: f64) -> f64 {
+        pixels / self.unit
     }
 
     /// Pixels per unit of length.
     pub(crate) fn scale(self) -> f64 {
-        (f64::from(self.zoom) / f64::from(DOUBLING)).exp2()
+        self.unit * (f64::from(self.zoom) / f64::from(DOUBLING)).exp2()
     }
 
     /// The pixel of a point.
     pub(crate) fn to_screen(self, point: Point<3>) -> (i32, i32) {
+        let point = std::array::from_fn(|d| point[d] - self.middle[d]);
         let [x, y] = self.view.pixel(point, self.scale());
         (pixel(x), pixel(y))
     }

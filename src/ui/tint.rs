@@ -33,6 +33,15 @@ pub(crate) fn curvature(relative: Option<f64>) -> Color {
     }
 }
 
+/// Bands of a radius of curvature: red where it is shorter than `reach`, so that an offset so far away folds on one
+/// side, then yellow, green, cyan and blue for every doubling.
+pub(crate) fn radius(radius: Option<f64>, reach: f64) -> Color {
+    let Some(radius) = radius else { return Color::Blue };
+    let bands = [Color::LightRed, Color::Yellow, Color::Green, Color::Cyan, Color::Blue];
+    let doublings = [1.0, 2.0, 4.0, 8.0].iter().filter(|&&times| radius.abs() > times * reach).count();
+    bands[doublings]
+}
+
 /// Bands of height; `part` is 0 at the lowest and 1 at the highest point.
 pub(crate) fn height(part: f64) -> Color {
     // A cast saturates, and NaN is 0.

@@ -481,6 +481,26 @@ pub(crate) fn residuals(residuals: &Residuals) -> Phrase {
 // The surface programs.
 pub(crate) const SURFACE: Hot = Hot::new('F', "elület", "-surf.");
 pub(crate) const NET_QUIT: Hot = Hot::new('Q', "- kilép", "- quit");
+pub(crate) const NORMAL_BUTTON: Hot = Hot::new('N', "-normál", "-normal");
+pub(crate) const OFFSET_BUTTON: Hot = Hot::new('P', "-párhuz", "-offset");
+pub(crate) const HELP_NORMAL: Words =
+    Words("normális választása, két új szöge", "choose a normal, then its two new angles");
+pub(crate) const HELP_OFFSET: Words =
+    Words("párhuzamos felület távolsága (0: nincs)", "distance of the offset along the normals (0: none)");
+pub(crate) const HELP_AUTOMATIC_NORMALS: Words =
+    Words("normálisok a pontok spline-felületéről", "normals from the spline through the points");
+pub(crate) const HELP_SIDES: Words =
+    Words("M mindkét oldalon, H héj peremfalakkal", "M on both sides, H shell with walls");
+pub(crate) const HELP_NET_SIZE: Words =
+    Words("a háló új mérete: 2 x 2 ... 8 x 8", "another size of the net: 2 x 2 to 8 x 8");
+pub(crate) const HELP_COMPARE_PN: Words =
+    Words("pn és pn-thesis együtt, majd csere", "pn and pn-thesis together, then exchanged");
+pub(crate) const HELP_INSPECT_RADII: Words =
+    Words("zebracsíkok, Gauss-görbület, sugarak, semmi", "zebra stripes, Gaussian curvature, radii, none");
+pub(crate) const HELP_GAUSS: Words =
+    Words("a normálisok képe a gömbön és a síkon", "image of the normals on sphere and plane");
+pub(crate) const HELP_NORMALS_DRAG: Words =
+    Words("pont vagy normális húzása", "drag a point or the tip of a normal");
 pub(crate) const K0_BUTTON: Hot = Hot::new('C', " - k0", " - k0");
 pub(crate) const ASK_DISPLAY: Words = Words("          Megjelenítés ?", "    Wireframe or solid?");
 pub(crate) const WIRE: Hot = Hot::new('D', "rótváz", "-wire");
@@ -657,6 +677,14 @@ pub(crate) const HINT_NET: Words = Words(
     "Húzza a pontokat; mellettük húzva forog. F felület, E teljes képernyő, F1 súgó",
     "Drag points; drag beside them to turn. F surface, E full screen, F1 help",
 );
+pub(crate) const HINT_NORMALS: Words = Words(
+    "Húzza a pontokat, normálisokat. P párhuzamos, F5 térkép, F8 Gauss, F1 súgó",
+    "Drag points and normals. P offset, F5 maps, F8 Gauss image, F1 help",
+);
+pub(crate) const KEYS_NORMALS: Words = Words(
+    "V pont, N normális, P párhuzamos, F5 térkép, F8 Gauss, F1 súgó",
+    "V point, N normal, P offset, F5 maps, F8 Gauss image, F1 help",
+);
 pub(crate) const HINT_SURFACE: Words = Words(
     "Húzva forog, kerék nagyít. V pont, E teljes képernyő (D drót, T tele), F1 súgó",
     "Drag turns, wheel zooms. V point, E full screen (D wires, T solid), F1 help",
@@ -782,6 +810,8 @@ mod tests {
             HINT_TIP,
             HINT_NET,
             HINT_SURFACE,
+            HINT_NORMALS,
+            KEYS_NORMALS,
             HINT_HEIGHTS,
             HINT_COEFFICIENTS,
             HINT_CURSOR,

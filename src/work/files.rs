@@ -65,7 +65,9 @@ pub fn with_twin(document: Document, storage: &dyn Storage, name: &str) -> (Docu
 /// The document of the JSON file beside a DOS file, if saving it would give exactly this file; otherwise the document
 /// unchanged.
 pub fn with_json(document: Document, storage: &dyn Storage, name: &str) -> Document {
-    let Some(format) = Format::from_name(name) else { return document };
+    let Some(format) = Format::from_name(name).filter(|format| format.size().is_some()) else {
+        return document;
+    };
     let read = |name: &str| storage.read(name).ok();
     match beside(read, name, format) {
         Some((json, files)) if all_there(read, &files) => json,
@@ -102,6 +104,10 @@ fn all_there(read: impl Fn(&str) -> Option<Vec<u8>>, files: &Files) -> bool {
 /// # Errors
 /// What is wrong with the points.
 pub fn dos_files(document: &Document, format: Format, name: &str) -> Result<Files, Phrase> {
+    if format.size().is_none() {
+        let content = document.write(format).map_err(|error| words::in_file(name, &error))?;
+        return Ok(vec![(name.to_owned(), content)]);
+    }
     let bare = match document.clone().adapted(format).without_settings() {
         Document::PlanePoints(plane) => Document::PlanePoints(PlanePoints { joints: None, ..plane }),
         other => other,

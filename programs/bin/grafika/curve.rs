@@ -70,7 +70,7 @@ impl CurveArgs {
                 let common = Common { method: self.named(), k0, bias, tension };
                 Design::Net(self.surface.net(net, common)?)
             }
-            Design::Ec(document) => {
+            design @ (Design::Ec(_) | Design::Patches(_)) => {
                 let given = [
                     ("--method", self.method.is_some()),
                     ("--closed", self.closed),
@@ -80,10 +80,10 @@ impl CurveArgs {
                 ];
                 if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
                     return Err(Failure::usage(format!(
-                        "{option} is for other curves; {name} says its spaces and intervals itself"
+                        "{option} is for other curves and surfaces; {name} says itself what it describes"
                     )));
                 }
-                Design::Ec(document)
+                design
             }
             Design::Rational(spans) => {
                 if self.method.is_some() || self.closed {

@@ -5,6 +5,7 @@ mod convert;
 mod curve;
 mod ec;
 mod measure;
+mod normals;
 mod offset;
 mod ph;
 mod poly;

@@ -1,9 +1,12 @@
-//! `grafika measure`: the exact length of a PH curve, how it bends, and how far it can be offset.
+//! `grafika measure`: the exact length of a PH curve, how it bends, and how far it can be offset; of a surface with
+//! Pythagorean normals, its radii of curvature and how far it can be offset.
 
 use crate::curve::CurveArgs;
+use crate::normals;
 use crate::ph::PhShape;
 use crate::sample::extension;
 use clap::Args;
+use grafika::design::Design;
 use grafika::file::number;
 use grafika::geometry::ph::{PhCurve, SpacePhCurve};
 use grafika::launch::{Failure, progress, write_output};
@@ -15,7 +18,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "Examples:
   grafika measure A.IP2 --method phspline --closed
-  grafika measure A.IC2 --method phhermite -o a.json")]
+  grafika measure A.IC2 --method phhermite -o a.json
+  grafika measure N.PN")]
 pub(crate) struct Measure {
     #[command(flatten)]
     curve: CurveArgs,
@@ -40,6 +44,13 @@ impl Measure {
             }
         };
         let (design, name) = self.curve.design()?;
+        if let Design::Net(net) = &design {
+            let alive = progress::alive("measuring");
+            let measured = normals::measured(net, &name)?;
+            drop(alive);
+            let text = if json { measured.to_string() } else { normals::told(&measured).join("\n") };
+            return write_output(self.output.as_deref(), format!("{text}\n").as_bytes());
+        }
         let shape = PhShape::of(&design, &name)?;
         let alive = progress::alive("measuring");
         let text = match (&shape, json) {

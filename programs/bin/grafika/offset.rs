@@ -1,18 +1,21 @@
-//! `grafika offset`: the exact offset of a plane PH curve, whole or trimmed.
+//! `grafika offset`: the exact offset of a plane PH curve, whole or trimmed, or of a surface with Pythagorean normals.
 
 use crate::curve::CurveArgs;
+use crate::normals;
 use crate::ph::PhShape;
 use crate::render::{Format, picture};
-use crate::sample::extension;
+use crate::sample::{SURFACE_STEPS, extension};
 use crate::source::is_stream;
 use clap::Args;
 use grafika::design::offset::document;
+use grafika::design::{Design, NetDesign};
 use grafika::figure::{
-    CURVE_INK, Figure, NOMINAL_WIDTH, OFFSET_INK, StepCurve, curves_step, quantity_csv, tolerance,
+    CURVE_INK, Figure, Hidden, MODEL_TOLERANCE, ModelOptions, NOMINAL_WIDTH, OFFSET_INK, StepCurve,
+    curves_step, quantity_csv, tolerance,
 };
 use grafika::file::{Document, FileKind, number};
 use grafika::geometry::ph::{Offset, OffsetPart, Place, chords};
-use grafika::geometry::{BoundingBox, GeometryError, ParamCurve};
+use grafika::geometry::{BoundingBox, GeometryError, ParamCurve, ParamSurface, View};
 use grafika::launch::{Failure, progress, say, write_output};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -22,24 +25,26 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   grafika offset A.IP2 --method phspline --closed --distance 10 -o a.json
   grafika offset A.IP2 --method phspline --closed --distance=-5 --trim -o a.step
+  grafika offset N.PN --distance=-0.5 -o n.step
   grafika offset A.IC2 --method phhermite --distance 3 --trim --nc a.nc --tolerance 0.005")]
 pub(crate) struct OffsetArgs {
     #[command(flatten)]
     curve: CurveArgs,
-    /// Distance, positive to the left of the direction of travel
+    /// Distance, positive to the left of the direction of travel, of surfaces along the normals
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     distance: f64,
     /// Keep only what is not nearer to the curve than the distance, and tell the crossings
     #[arg(long)]
     trim: bool,
-    /// Where to write: .json (or .rbc) and .step exactly, a picture .svg .pdf .png, points .csv [default: JSON on
-    /// standard output]
+    /// Where to write: .json (or .rbc, .rbs) and .step exactly, a picture .svg .pdf .png, points .csv, a surface also as a
+    /// mesh .stl .obj .ply [default: JSON on standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
-    /// Format of what is written (json, step, svg, pdf, png, csv), where no name says it
-    #[arg(long, value_name = "EXT", ignore_case = true, value_parser = ["json", "rbc", "step", "svg", "pdf", "png", "csv"])]
+    /// Format of what is written (json, step, svg, pdf, png, csv, stl, obj, ply), where no name says it
+    #[arg(long, value_name = "EXT", ignore_case = true, 
+        value_parser = ["json", "rbc", "rbs", "step", "svg", "pdf", "png", "csv", "stl", "obj", "ply"])]
     to: Option<String>,
-    /// Steps a span in .csv [default: 50]
+    /// Steps a span in .csv [default: 50], of surfaces also in meshes [default: 10]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     per_span: Option<u32>,
     /// How far pictures may be from the curve, as a part of its size [default: 1e-7]; of --nc in mm [default: 0.01]
@@ -63,6 +68,9 @@ impl OffsetArgs {
     /// Offsets and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let (design, name) = self.curve.design()?;
+        if let Design::Net(net) = &design {
+            return self.of_surface(net, &name);
+        }
         let curve = PhShape::plane(&design, &name, "offset")?;
         let failed = |error: GeometryError| Failure::work(format!("{name}: {error}"));
         let alive = progress::alive("offsetting");
@@ -108,6 +116,63 @@ impl OffsetArgs {
             Some(content) => write_output(output, &content),
             None => Ok(()),
         }
+    }
+
+    /// The offset of a surface with Pythagorean normals: exactly, or as a mesh or points.
+    fn of_surface(&self, net: &NetDesign, name: &str) -> Result<(), Failure> {
+        let curves_only = [("--trim", self.trim), ("--nc", self.nc.is_some())];
+        if let Some((option, _)) = curves_only.into_iter().find(|(_, given)| *given) {
+            return Err(Failure::usage(format!(
+                "{option} is for curves of the plane; {name} holds a surface"
+            )));
+        }
+        let alive = progress::alive("offsetting");
+        let surface = normals::surface(net, name)?;
+        let offset = surface.offset(self.distance).map_err(Failure::usage)?;
+        let said = self.to.as_ref().map(|said| said.to_lowercase());
+        let output = self.output.as_deref().filter(|path| !is_stream(path));
+        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        let wanted = said.or_else(|| extension(output));
+        let content = match wanted.as_deref() {
+            None | Some("json" | "rbs") => normals::written(&offset)?.into_bytes(),
+            Some("csv") => {
+                let rows = normals::quantities(&offset, steps)?;
+                quantity_csv(&normals::QUANTITIES, &rows).into_bytes()
+            }
+            Some(other) => {
+                let unknown = || {
+                    Failure::usage(format!(
+                        "-o: the offset of a surface is written as .json, .step, .stl, .obj, .ply, .csv, .svg, .pdf or \
+                         .png, not .{other}"
+                    ))
+                };
+                let format = Format::parse(other).map_err(|_| unknown())?;
+                match format.model() {
+                    Some(model) => {
+                        let title =
+                            output.and_then(|path| path.file_stem()).map(|stem| stem.to_string_lossy());
+                        let name = title.unwrap_or_default();
+                        let tolerance = self.tolerance.unwrap_or(MODEL_TOLERANCE);
+                        let options = ModelOptions { steps, tolerance, name: &name };
+                        let (content, note) = model.encode(&[&offset], &options).map_err(Failure::work)?;
+                        note.iter().for_each(|note| say("grafika", note));
+                        content
+                    }
+                    None => {
+                        let mut figure = Figure::new();
+                        let grids = [surface.grid(steps), offset.grid(steps)];
+                        let grids =
+                            grids.into_iter().collect::<Result<Vec<_>, _>>().map_err(Failure::work)?;
+                        let view = View::from_direction(net.net.kind.view());
+                        figure.plot_surfaces(&grids, &view, Hidden::LeftOut);
+                        picture(&figure, format, NOMINAL_WIDTH)?
+                    }
+                }
+            }
+        };
+        drop(alive);
+        normals::folded(&surface, self.distance).iter().for_each(|note| say("grafika", note));
+        write_output(output, &content)
     }
 
     /// The points at equal steps of the parameter, with the places of the curve that they belong to.

@@ -1,6 +1,7 @@
 //! `grafika render`: a picture of a curve or a surface as PNG, SVG or PDF, or a surface as a model.
 
 use crate::curve::CurveArgs;
+use crate::normals;
 use crate::offset::plot;
 use crate::ph::PhShape;
 use crate::sample::{SURFACE_STEPS, extension};
@@ -15,7 +16,9 @@ use grafika::figure::{
 use grafika::file::ec::{EcCurve, EcDocument, Item};
 use grafika::file::{Method, SPACE_VIEW};
 use grafika::geometry::ph::{Offset, PhCurve, RationalCurve};
-use grafika::geometry::{BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, Point, View};
+use grafika::geometry::{
+    BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, PnSurface, Point, View,
+};
 use grafika::launch::{Failure, progress, say, write_output};
 use grafika::screen::Color;
 use std::path::PathBuf;
@@ -30,7 +33,8 @@ use std::path::PathBuf;
 pub(crate) struct Render {
     #[command(flatten)]
     curve: CurveArgs,
-    /// Draw the offset of a PH curve at this distance too, positive to the left; may be repeated
+    /// Draw the offset of a PH curve at this distance too, positive to the left, or of a surface by --method pn, positive
+    /// along its normals; may be repeated
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     distance: Vec<f64>,
     /// Show the comb of curvature of a PH curve
@@ -98,10 +102,21 @@ impl Render {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
             if !format.is_model() {
                 let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-                return self.picture(&self.wireframe(net, &**surface, steps)?, format);
+                let offsets = self.offsets(net)?;
+                return self.picture(&self.wireframe(net, &**surface, &offsets, steps)?, format);
             }
             self.check_model()?;
-            return self.model(&[&*net.solid().map_err(Failure::work)?], format);
+            let (solid, offsets) = (net.solid().map_err(Failure::work)?, self.offsets(net)?);
+            let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
+            return self.model(&std::iter::once(&*solid).chain(offsets).collect::<Vec<_>>(), format);
+        }
+        if let (Design::Patches(_), Shape::Surface(surface)) = (&design, shape) {
+            if format.is_model() {
+                self.check_model()?;
+                return self.model(&[&**surface], format);
+            }
+            let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+            return self.picture(&self.wires(&[&**surface], SPACE_VIEW, steps)?.0, format);
         }
         if self.tolerance.is_some() && format != Format::Step {
             return Err(Failure::usage("--tolerance is for .step"));
@@ -157,6 +172,7 @@ impl Render {
                 }
                 return Ok(Some(Exact::Rational(curve_of(spans).map_err(Failure::work)?)));
             }
+            Design::Net(_) if !self.comb && !self.speed => return Ok(None),
             _ => None,
         };
         match (method, self.ph_option()) {
@@ -257,12 +273,7 @@ impl Render {
     /// Surfaces as a model.
     fn model(&self, surfaces: &[&dyn ParamSurface], format: Format) -> Result<Vec<u8>, Failure> {
         let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
-        let model = match format {
-            Format::Step => ModelFormat::Step,
-            Format::Stl => ModelFormat::Stl,
-            Format::Obj => ModelFormat::Obj,
-            _ => ModelFormat::Ply,
-        };
+        let model = format.model().unwrap_or(ModelFormat::Ply);
         let options = ModelOptions {
             steps: self.per_span.unwrap_or(SURFACE_STEPS) as usize,
             tolerance: self.tolerance.unwrap_or(MODEL_TOLERANCE),
@@ -341,12 +352,12 @@ impl Render {
         &self,
         net: &NetDesign,
         surface: &dyn ParamSurface,
+        offsets: &[PnSurface],
         steps: usize,
     ) -> Result<Figure, Failure> {
-        let view = View::from_direction(self.view.unwrap_or(net.net.kind.view()));
-        let grid = surface.grid(steps).map_err(Failure::work)?;
-        let mut figure = self.titled();
-        figure.plot_surface(&grid, &view, Hidden::LeftOut);
+        let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
+        let surfaces: Vec<&dyn ParamSurface> = std::iter::once(surface).chain(offsets).collect();
+        let (mut figure, view, bounds) = self.wires(&surfaces, net.net.kind.view(), steps)?;
         if self.polygon {
             for (line, closed) in net.polygons() {
                 let line = line.iter().map(|&point| view.place(point)).collect();
@@ -358,8 +369,36 @@ impl Render {
                 figure.plot_point(view.place(point), Some(format!("{k},{l}")));
             }
         }
-        self.measure(&mut figure, view, [BoundingBox::of_points(grid.points()), None]);
+        self.measure(&mut figure, view, [bounds, None]);
         Ok(figure)
+    }
+
+    /// The offsets of a net's surface at the distances that are asked for, else at that of the file.
+    fn offsets(&self, net: &NetDesign) -> Result<Vec<PnSurface>, Failure> {
+        let own = net.net.settings.distance.filter(|distance| *distance != 0.0);
+        let own = own.filter(|_| self.distance.is_empty() && net.pn_method().is_some());
+        if self.distance.is_empty() && own.is_none() {
+            return Ok(Vec::new());
+        }
+        let surface = normals::surface(net, "the file")?;
+        let distances = self.distance.iter().copied().chain(own);
+        distances.map(|distance| surface.offset(distance)).collect::<Result<_, _>>().map_err(Failure::work)
+    }
+
+    /// The visible lines of surfaces, how they are seen, and the box round them.
+    fn wires(
+        &self,
+        surfaces: &[&dyn ParamSurface],
+        from: Point<3>,
+        steps: usize,
+    ) -> Result<(Figure, View, Option<BoundingBox<3>>), Failure> {
+        let view = View::from_direction(self.view.unwrap_or(from));
+        let grids = surfaces.iter().map(|surface| surface.grid(steps)).collect::<Result<Vec<_>, _>>();
+        let grids = grids.map_err(Failure::work)?;
+        let mut figure = self.titled();
+        figure.plot_surfaces(&grids, &view, Hidden::LeftOut);
+        let bounds = grids.iter().filter_map(|grid| BoundingBox::of_points(grid.points()));
+        Ok((figure, view, bounds.reduce(BoundingBox::union)))
     }
 
     /// A figure with what stands around it.
@@ -491,6 +530,17 @@ impl Format {
             "step" | "stp" => Format::Step,
             _ => return Err(FORMATS.to_owned()),
         })
+    }
+
+    /// The format of models; `None` for pictures.
+    pub(crate) fn model(self) -> Option<ModelFormat> {
+        match self {
+            Format::Step => Some(ModelFormat::Step),
+            Format::Stl => Some(ModelFormat::Stl),
+            Format::Obj => Some(ModelFormat::Obj),
+            Format::Ply => Some(ModelFormat::Ply),
+            Format::Png | Format::Svg | Format::Pdf => None,
+        }
     }
 
     pub(crate) fn is_model(self) -> bool {

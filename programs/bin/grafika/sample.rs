@@ -1,6 +1,7 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
 use crate::curve::CurveArgs;
+use crate::normals;
 use crate::ph::PhShape;
 use crate::source::is_stream;
 use clap::Args;
@@ -30,7 +31,7 @@ pub(crate) struct Sample {
     /// First, or first and second derivatives of a curve, by its parameter
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=2))]
     derivatives: u8,
-    /// Length, speed, curvature and directions of a PH curve as well
+    /// Length, speed, curvature and directions of a PH curve as well; normals and radii of curvature of a surface by pn
     #[arg(long, conflicts_with = "derivatives")]
     quantities: bool,
     /// N + 1 points of a PH curve at equal lengths from each other, instead of equal steps a span
@@ -77,6 +78,18 @@ impl Sample {
 
     /// What only PH curves know exactly.
     fn exact(&self, design: &Design, name: &str) -> Result<String, Failure> {
+        if let (Design::Net(net), None) = (design, self.uniform) {
+            let alive = progress::alive("sampling");
+            let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+            let rows = normals::quantities(&normals::surface(net, name)?, steps)?;
+            drop(alive);
+            let header = normals::QUANTITIES;
+            return self.table(
+                &rows,
+                |rows| quantity_csv(&header, rows),
+                |rows| quantity_json(&header, 2, rows),
+            );
+        }
         let shape = PhShape::of(design, name)?;
         let places = match self.uniform {
             Some(steps) => shape.by_length(steps as usize)?,

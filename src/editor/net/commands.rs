@@ -27,6 +27,15 @@ impl Editor<Nets, 3> {
     /// Carries out a command.
     pub(super) async fn carry_out(&mut self, desk: &mut Desk<'_>, action: Action) -> Asked<Next> {
         match action {
+            Action::Normal
+            | Action::NormalAt(_)
+            | Action::Automatic
+            | Action::Distance
+            | Action::Both
+            | Action::Shell
+            | Action::Compare
+            | Action::Gauss
+            | Action::Size => self.change_normals(desk, action).await?,
             Action::Change => self.change(desk, None).await?,
             Action::ChangeAt(index) => self.change(desk, Some(index)).await?,
             Action::Surface => self.show_surface(desk).await?,
@@ -82,7 +91,7 @@ impl Editor<Nets, 3> {
     }
 
     /// Commits another net; a surface in the picture follows it.
-    fn change_surface(&mut self, desk: &mut Desk<'_>, design: NetDesign) {
+    pub(super) fn change_surface(&mut self, desk: &mut Desk<'_>, design: NetDesign) {
         self.history.change(design);
         if self.craft.drawn.is_some() {
             self.refresh(desk);
@@ -104,7 +113,7 @@ impl Editor<Nets, 3> {
         let drawn = self.craft.draw_up(self.history.now());
         self.shown.known = drawn.is_ok();
         match &drawn {
-            Ok(drawn) if !drawn.grid.has_area() => desk.tell(words::COLLAPSED, Stay::Briefly),
+            Ok(drawn) if !drawn.has_area() => desk.tell(words::COLLAPSED, Stay::Briefly),
             Ok(_) => {}
             Err(error) => desk.tell(refusal::of_surface(error), Stay::UntilRead),
         }

@@ -2,14 +2,15 @@
 //! plane.
 
 use super::Nets;
-use super::surface::{Drawn, draw_cells};
+use super::plan::Family;
+use super::surface::{Drawn, draw_cells, draw_gap, draw_wires};
 use crate::editor::Editor;
-use crate::geometry::{ParamSurface, Plane, Point, section};
+use crate::geometry::{BoundingBox, Grid, ParamSurface, Plane, Point, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::look::Look;
 use crate::ui::tint;
-use crate::ui::{Desk, Stay, words};
+use crate::ui::{Desk, Stay, Words, words};
 
 /// What colours show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,14 +20,18 @@ pub(super) enum Inspection {
     Zebra,
     /// Blue where the surface is a saddle, red where it is a dome, grey where it is flat.
     Curvature,
+    /// The smaller of the radii of curvature: how far offsets go.
+    Radius,
 }
 
 impl Inspection {
-    fn next(self) -> Inspection {
+    /// The one after it; maps of radii are for surfaces with offsets.
+    fn next(self, offsets: bool) -> Inspection {
         match self {
             Inspection::Off => Inspection::Zebra,
             Inspection::Zebra => Inspection::Curvature,
-            Inspection::Curvature => Inspection::Off,
+            Inspection::Curvature if offsets => Inspection::Radius,
+            Inspection::Curvature | Inspection::Radius => Inspection::Off,
         }
     }
 }
@@ -39,7 +44,8 @@ pub(super) struct Section {
     offset: f64,
 }
 
-/// Distance by which + and - move the plane.
+const RADIUS: Words = Words("kisebbik görbületi sugár", "smaller radius of curvature");
+/// Distance by which + and - move the plane, at the scale of 1.
 const STEP: f64 = 10.0;
 /// Coloured cells per cell of the net, in each direction.
 const FINE: usize = 28;
@@ -50,23 +56,26 @@ impl Editor<Nets, 3> {
     pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
         match tick.key() {
             Some(Key::F(5)) => {
-                self.craft.inspection = self.craft.inspection.next();
+                self.craft.inspection = self.craft.inspection.next(self.craft.plan.family == Family::Normals);
                 let [_, zebra, curvature] = words::INSPECTIONS;
                 match self.craft.inspection {
                     Inspection::Off => {}
                     Inspection::Zebra => desk.tell(zebra, Stay::Briefly),
                     Inspection::Curvature => desk.tell(curvature, Stay::Briefly),
+                    Inspection::Radius => desk.tell(RADIUS, Stay::Briefly),
                 }
             }
             Some(Key::F(6)) => {
+                let at = |axis: usize| Some(Section { axis, offset: self.lens.look.middle(axis) });
                 self.craft.section = match self.craft.section {
-                    None => Some(Section { axis: 0, offset: 0.0 }),
+                    None => at(0),
                     Some(Section { axis: 2, .. }) => None,
-                    Some(Section { axis, .. }) => Some(Section { axis: axis + 1, offset: 0.0 }),
+                    Some(Section { axis, .. }) => at(axis + 1),
                 };
             }
             Some(Key::Char(sign @ ('+' | '-'))) if self.craft.section.is_some() => {
-                let step = if sign == '+' { STEP } else { -STEP };
+                let step = self.lens.look.length(if sign == '+' { STEP } else { -STEP });
+                let step = if step.abs() >= 1.0 { step.round() } else { step };
                 self.craft.section = self
                     .craft
                     .section
@@ -81,33 +90,51 @@ impl Editor<Nets, 3> {
 impl Section {
     /// What stands in the corner of the picture.
     pub(super) fn name(self) -> String {
-        format!("{} = {}", ["x", "y", "z"][self.axis.min(2)], self.offset)
+        let offset = (self.offset * 1e4).round() / 1e4;
+        format!("{} = {offset}", ["x", "y", "z"][self.axis.min(2)])
     }
 
     /// The section of a surface by the plane.
     pub(super) fn lines(self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
         let mut normal = [0.0; 3];
         normal[self.axis.min(2)] = 1.0;
-        section(&*drawn.surface, Plane { normal, offset: self.offset }, drawn.steps).unwrap_or_default()
+        let plane = Plane { normal, offset: self.offset };
+        let surfaces = drawn.parts.iter().filter_map(|part| part.surface.as_ref());
+        surfaces.flat_map(|surface| section(&**surface, plane, drawn.steps).unwrap_or_default()).collect()
     }
 }
 
 impl Inspection {
     /// Draws a surface in colours; `false` if nothing is inspected.
-    pub(super) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look) -> bool {
-        let surface = &*drawn.surface;
-        let [rows, columns] = surface.spans();
+    pub(super) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look, distance: f64) -> bool {
+        let [rows, columns] = drawn.spans;
         let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
-        let Ok(grid) = surface.grid(steps) else { return false };
-        let size = surface.bounding_box().map_or(1.0, |bounds| bounds.extent());
+        let fine: Vec<(&dyn ParamSurface, Grid)> =
+            drawn.own().filter_map(|(surface, _)| Some((surface, surface.grid(steps).ok()?))).collect();
+        if fine.is_empty() {
+            return false;
+        }
+        let boxes = fine.iter().filter_map(|(surface, _)| surface.bounding_box());
+        let size = boxes.reduce(BoundingBox::union).map_or(1.0, |bounds| bounds.extent());
+        let reach = if distance == 0.0 { size / 8.0 } else { distance.abs() };
         let toward = look.view.toward();
         let color: Box<dyn Fn(&Place<'_>) -> Color> = match self {
             Inspection::Off => return false,
             Inspection::Zebra => Box::new(move |place| place.zebra(toward)),
             Inspection::Curvature => Box::new(move |place| place.curvature(size)),
+            Inspection::Radius => Box::new(move |place| tint::radius(place.radius(), reach)),
         };
-        let mut colors = places(surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place));
-        draw_cells(screen, &grid, look, |_| (colors.next().unwrap_or(tint::FLAT), None));
+        let mut colors = fine.iter().flat_map(|(surface, grid)| {
+            places(*surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place))
+        });
+        let grids: Vec<&Grid> = fine.iter().map(|(_, grid)| grid).collect();
+        draw_cells(screen, &grids, look, |_, _| (colors.next().unwrap_or(tint::FLAT), None));
+        drawn.gaps.iter().for_each(|gap| draw_gap(screen, gap, look));
+        for part in &drawn.parts {
+            if let Some(ink) = part.ink {
+                draw_wires(screen, &part.grid, look, ink);
+            }
+        }
         true
     }
 }
@@ -138,6 +165,13 @@ fn places(
 impl Place<'_> {
     fn zebra(&self, toward: Point<3>) -> Color {
         tint::zebra(self.surface.normal(self.spans, self.parameters), toward)
+    }
+
+    /// The smaller of the two radii of curvature.
+    fn radius(&self) -> Option<f64> {
+        let at = self.surface.at(self.spans, self.parameters)?;
+        let (mean, gauss) = (at.mean_curvature()?, at.gaussian_curvature()?);
+        Some(1.0 / (mean.abs() + (mean * mean - gauss).max(0.0).sqrt()))
     }
 
     fn curvature(&self, size: f64) -> Color {

@@ -5,6 +5,7 @@ mod ask;
 mod commands;
 mod inspect;
 mod map;
+mod normals;
 mod picture;
 mod plan;
 mod show;
@@ -13,16 +14,16 @@ mod tables;
 
 pub use plan::{Family, Plan, Start};
 pub use show::{SHOW_KEYS, Show, show};
-pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS};
+pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS, NORMALS_KEYS};
 
 use super::lens::Held;
 use super::picture::{Layer, Page};
 use super::seen::Item;
 use super::stage::Stage;
 use super::{Craft, Editor, refusal};
-use crate::design::{DesignError, Index, NetDesign, Part};
-use crate::file::{Document, Format, Method, Net, NetSettings};
-use crate::geometry::{Border, ParamSurface, Point};
+use crate::design::{DesignError, Index, NetDesign, Part, nets};
+use crate::file::{Document, Format, Method, Net, NetKind, NetSettings};
+use crate::geometry::{Border, BoundingBox, ParamSurface, Point};
 use crate::machine::{Asked, Asking, Tick};
 use crate::ui::look::{Look, Poles, Viewer};
 use crate::ui::words::{self, Phrase};
@@ -31,6 +32,7 @@ use crate::work::Next;
 use ask::ask_display;
 use inspect::{Inspection, Section};
 use map::Map;
+use normals::{Beside, Facts};
 use serde::Serialize;
 use std::rc::Rc;
 use surface::{Display, Drawn};
@@ -54,6 +56,26 @@ struct Nets {
     section: Option<Section>,
     /// The control point being changed, and which part of it.
     chosen: Option<(Index, Part)>,
+    /// What surfaces with normals show besides.
+    beside: Beside,
+    /// What is known about such a surface.
+    facts: Option<Facts>,
+}
+
+/// What the mouse can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Handle {
+    Point(Index),
+    /// The tip of a normal.
+    Normal(Index),
+}
+
+impl Handle {
+    fn index(self) -> Index {
+        match self {
+            Handle::Point(index) | Handle::Normal(index) => index,
+        }
+    }
 }
 
 impl Nets {
@@ -65,6 +87,8 @@ impl Nets {
             inspection: Inspection::Off,
             section: None,
             chosen: None,
+            beside: Beside::default(),
+            facts: None,
         }
     }
 
@@ -89,16 +113,34 @@ struct Dump {
     elevation: f64,
     zoom: f64,
     unsaved: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    normals: Option<NormalsDump>,
+}
+
+/// What `dump` writes of surfaces with normals besides.
+#[derive(Serialize)]
+struct NormalsDump {
+    normals: Option<Vec<Vec<Point<3>>>>,
+    method: &'static str,
+    distance: f64,
+    beside: Beside,
+    facts: Option<normals::Told>,
 }
 
 impl Craft<3> for Nets {
     type Value = NetDesign;
-    type Handle = Index;
+    type Handle = Handle;
     type Lens = Viewer;
     type Action = Action;
 
     fn format(&self) -> Format {
         self.plan.kind.format()
+    }
+
+    /// Any open net may be taken; what is saved has normals.
+    fn formats(&self, _: &NetDesign) -> Vec<Format> {
+        let others = self.plan.reads.iter().filter(|_| self.plan.family == Family::Normals);
+        std::iter::once(self.plan.kind).chain(others.copied()).map(NetKind::format).collect()
     }
 
     fn commands(&self) -> Commands<Action> {
@@ -114,7 +156,15 @@ impl Craft<3> for Nets {
         let settings =
             NetSettings { k0: kept.k0, bias: kept.bias, tension: kept.tension, ..NetSettings::default() };
         let net = Net { settings, ..Net::new(self.plan.kind, self.plan.net()) };
-        NetDesign { net, implied: self.plan.family.method() }
+        let design = NetDesign { net, implied: self.plan.family.method() };
+        match self.plan.start {
+            // A spline through the points has no curvature at the border; the vault's own normals have.
+            Start::Vault(spacing, height) => {
+                let normals = Some(nets::vault_normals(self.plan.kind.shape(), spacing, height));
+                NetDesign { net: Net { normals, ..design.net }, ..design }
+            }
+            _ => design,
+        }
     }
 
     fn of_document(
@@ -129,6 +179,13 @@ impl Craft<3> for Nets {
             return Err(refusal::of_surface(&other));
         }
         let mut design = NetDesign { net: Net { kind, ..net.clone() }, implied: self.plan.family.method() };
+        if self.plan.family == Family::Normals {
+            // Any open net has a surface with normals.
+            let named = design.net.settings.method.filter(|_| design.pn_method().is_some());
+            design.net.settings.method = named;
+            let design = design.fitting().map_err(|error| refusal::of_surface(&error))?;
+            return Ok((design.with_given_normals(), None));
+        }
         let settings = &mut design.net.settings;
         settings.k0 = settings.k0.or(kept.k0);
         settings.bias = settings.bias.or(kept.bias);
@@ -146,7 +203,7 @@ impl Craft<3> for Nets {
     }
 
     fn fits_format(&self, design: &NetDesign) -> bool {
-        design.shape() == self.plan.kind.shape()
+        self.plan.family == Family::Normals || design.shape() == self.plan.kind.shape()
     }
 
     /// Whether there is one shows when it is drawn.
@@ -154,12 +211,18 @@ impl Craft<3> for Nets {
         true
     }
 
-    fn surface(editor: &Editor<Nets, 3>) -> Option<Box<dyn ParamSurface>> {
-        editor.history.now().solid().ok()
+    fn surfaces(editor: &Editor<Nets, 3>) -> Vec<Box<dyn ParamSurface>> {
+        match editor.craft.plan.family {
+            Family::Normals => editor.models_with_offsets(),
+            _ => editor.history.now().solid().into_iter().collect(),
+        }
     }
 
     fn hint(editor: &Editor<Nets, 3>) -> Option<Hint> {
         let hint = match (editor.held, &editor.craft.drawn) {
+            (None, _) if editor.craft.plan.family == Family::Normals => {
+                Hint::new(words::HINT_NORMALS).by_keys(words::KEYS_NORMALS)
+            }
             (Some(_), _) => Hint::new(words::HINT_HELD_3D).by_keys(words::KEYS_HELD),
             (None, None) => Hint::new(words::HINT_NET).by_keys(words::KEYS_NET),
             (None, Some(_)) if editor.craft.asks_display() => {
@@ -173,7 +236,7 @@ impl Craft<3> for Nets {
     fn names_shape(&self, design: &NetDesign) -> bool {
         let settings = &design.net.settings;
         let named = settings.method.is_some() || settings.extended.is_some();
-        named && self.draw_up(design).is_ok()
+        self.plan.family != Family::Normals && named && self.draw_up(design).is_ok()
     }
 
     fn model(editor: &Editor<Nets, 3>) -> impl Serialize + 'static {
@@ -192,19 +255,37 @@ impl Craft<3> for Nets {
             elevation,
             zoom,
             unsaved: editor.history.unsaved(),
+            normals: (craft.plan.family == Family::Normals).then(|| NormalsDump {
+                normals: now.net.normals.clone(),
+                method: now.method().name(),
+                distance: now.distance(),
+                beside: craft.beside,
+                facts: craft.facts.as_ref().map(|facts| facts.told().clone()),
+            }),
         }
     }
 
-    fn place(design: &NetDesign, index: Index) -> Option<Point<3>> {
-        design.point(index)
+    fn place(design: &NetDesign, handle: Handle) -> Option<Point<3>> {
+        match handle {
+            Handle::Point(index) => design.point(index),
+            Handle::Normal(index) => normals::tip(design, index),
+        }
     }
 
-    fn moved(design: &NetDesign, index: Index, at: Point<3>) -> NetDesign {
-        design.moved(index, at)
+    fn moved(design: &NetDesign, handle: Handle, at: Point<3>) -> NetDesign {
+        match handle {
+            Handle::Point(index) => design.moved(index, at),
+            Handle::Normal(index) => normals::with_tip(design, index, at),
+        }
     }
 
-    fn handle_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Index> {
-        if editor.map().hit(at).is_some() { None } else { editor.point_at(at) }
+    fn handle_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Handle> {
+        if editor.map().hit(at).is_some() {
+            return None;
+        }
+        let tips = editor.craft.plan.family == Family::Normals;
+        let tip = || editor.tip_at(at).filter(|_| tips).map(Handle::Normal);
+        editor.point_at(at).map(Handle::Point).or_else(tip)
     }
 
     fn seen(editor: &Editor<Nets, 3>) -> Vec<Item<3>> {
@@ -216,6 +297,21 @@ impl Craft<3> for Nets {
         let shown = editor.craft.names_shape(editor.history.now());
         let craft = &mut editor.craft;
         (craft.section, craft.chosen, craft.drawn) = (None, None, drawn.filter(|_| shown));
+        if craft.plan.family == Family::Normals {
+            craft.beside = Beside::default();
+            let points = editor.history.now().net.points.iter().flatten().copied();
+            if let Some(bounds) = BoundingBox::around(points) {
+                editor.lens.look = editor.lens.look.framing(&bounds);
+            }
+            editor.shown.follow = true;
+        }
+    }
+
+    async fn before_event(editor: &mut Editor<Nets, 3>, _: &mut Desk<'_>) -> Asked<()> {
+        if editor.craft.plan.family == Family::Normals && editor.stage.begun() {
+            editor.look_at_facts();
+        }
+        Ok(())
     }
 
     fn looked(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, tick: &Tick) -> bool {
@@ -252,11 +348,14 @@ impl Craft<3> for Nets {
     async fn dropped(
         editor: &mut Editor<Nets, 3>,
         desk: &mut Desk<'_>,
-        held: Held<Index, 3>,
+        held: Held<Handle, 3>,
         moved: NetDesign,
     ) -> Asked<()> {
         if held.at == held.from {
-            return editor.change(desk, Some(held.handle)).await;
+            return match held.handle {
+                Handle::Point(index) => editor.change(desk, Some(index)).await,
+                Handle::Normal(index) => editor.change_normals(desk, Action::NormalAt(index)).await,
+            };
         }
         editor.history.change(moved);
         Nets::changed(editor);
@@ -300,7 +399,7 @@ impl Craft<3> for Nets {
     }
 
     fn covers_ground(editor: &Editor<Nets, 3>) -> bool {
-        editor.craft.drawn.is_some() || editor.stage.is_result()
+        editor.craft.drawn.is_some() || editor.craft.beside.gauss || editor.stage.is_result()
     }
 
     fn draw(editor: &Editor<Nets, 3>, layer: Layer, page: &mut Page<'_>) {

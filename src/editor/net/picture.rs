@@ -1,10 +1,11 @@
 //! The visible items of a surface and its net, and the values under the picture.
 
-use super::Nets;
 use super::inspect::{Inspection, Section};
+use super::normals::{self, Gauss};
 use super::plan::Family;
-use super::surface::{Display, Drawn, Fill, draw_grid};
+use super::surface::{Display, Drawn, Fill, draw_parts};
 use super::tables::Action;
+use super::{Handle, Nets};
 use crate::design::{Index, NetDesign, Part};
 use crate::editor::Editor;
 use crate::editor::lens::Lens;
@@ -38,12 +39,14 @@ struct Surfaced {
     ink: Color,
     inspection: Inspection,
     section: Option<Section>,
+    /// The distance of the offset beside it.
+    distance: f64,
 }
 
 impl Own<3> for Surfaced {
     fn paint(&self, screen: &mut Screen) {
-        if !self.inspection.draw(screen, &self.drawn, self.look) {
-            draw_grid(screen, &self.drawn.grid, self.look, (self.display, self.fill), self.ink);
+        if !self.inspection.draw(screen, &self.drawn, self.look, self.distance) {
+            draw_parts(screen, &self.drawn, self.look, (self.display, self.fill), self.ink);
         }
         let Some(section) = self.section else { return };
         screen.text(560, 66, &section.name(), Color::Yellow);
@@ -56,7 +59,8 @@ impl Own<3> for Surfaced {
     /// Lines cannot tell what colours tell.
     fn plot(&self, figure: &mut Figure) -> bool {
         let view = self.look.view;
-        figure.plot_surface(&self.drawn.grid, &view, hidden(self.display));
+        let grids: Vec<Grid> = self.drawn.parts.iter().map(|part| part.grid.clone()).collect();
+        figure.plot_surfaces(&grids, &view, hidden(self.display));
         for line in self.section.into_iter().flat_map(|section| section.lines(&self.drawn)) {
             figure.plot_section(line.into_iter().map(|point| view.place(point)).collect());
         }
@@ -64,13 +68,18 @@ impl Own<3> for Surfaced {
     }
 
     fn bounds(&self) -> Option<BoundingBox<3>> {
-        BoundingBox::of_points(self.drawn.grid.points())
+        self.drawn.bounds()
     }
 }
 
 impl Editor<Nets, 3> {
     /// The surface, or the net with the surface that follows it.
     pub(super) fn items(&self) -> Vec<Item<3>> {
+        if self.craft.beside.gauss
+            && let Some(gauss) = Gauss::of(&self.preview(), self.lens.look)
+        {
+            return vec![Item::Own(Box::new(gauss))];
+        }
         if let Some(drawn) = &self.craft.drawn {
             return vec![self.surface(Rc::clone(drawn), Color::White)];
         }
@@ -81,7 +90,8 @@ impl Editor<Nets, 3> {
         let net = self.preview();
         let follows = self.shown.follow || self.held.is_some();
         if let Some(drawn) = follows.then(|| self.craft.draw_up(&net).ok()).flatten() {
-            let ink = if self.craft.inspection == Inspection::Off { Color::Cyan } else { Color::White };
+            let plain = self.craft.inspection == Inspection::Off && self.craft.plan.family != Family::Normals;
+            let ink = if plain { Color::Cyan } else { Color::White };
             items.push(self.surface(Rc::new(drawn), ink));
         }
         items.extend(
@@ -92,13 +102,23 @@ impl Editor<Nets, 3> {
             net.point(index).map(|at| Item::Knot { at, fill })
         };
         items.extend(net.indices().filter_map(knot));
+        if self.craft.plan.family == Family::Normals {
+            for index in net.indices() {
+                let Some((point, tip)) = net.point(index).zip(normals::tip(&net, index)) else { continue };
+                items.push(Item::Line { ends: [point, tip], ink: Color::LightGreen });
+                let held = self.held.is_some_and(|held| held.handle == Handle::Normal(index));
+                let fill = if held { Color::LightRed } else { Color::Green };
+                items.push(Item::Knot { at: tip, fill });
+            }
+        }
         items
     }
 
     fn surface(&self, drawn: Rc<Drawn>, ink: Color) -> Item<3> {
         let Nets { inspection, section, .. } = self.craft;
         let (look, display, fill) = (self.lens.look, self.craft.display_now(), self.craft.fill());
-        Item::Own(Box::new(Surfaced { drawn, look, display, fill, ink, inspection, section }))
+        let distance = self.history.now().distance();
+        Item::Own(Box::new(Surfaced { drawn, look, display, fill, ink, inspection, section, distance }))
     }
 
     /// Map, values and legends.
@@ -110,8 +130,18 @@ impl Editor<Nets, 3> {
                     page.screen.bar(0, 467, 639, 479, Color::LightCyan);
                     page.screen.text(130, 470, &line, Color::Black);
                 }
+                None if self.craft.plan.family == Family::Normals => {
+                    self.draw_radii(page.screen, page.language);
+                }
                 None => self.draw_values(page.screen, page.language),
             },
+            Layer::Over
+                if self.craft.plan.family == Family::Normals
+                    && self.stage.begun()
+                    && !self.stage.is_result() =>
+            {
+                self.draw_corner(page.screen, page.language);
+            }
             Layer::Legend if self.craft.plan.family != Family::Heights => {
                 self.craft.display.draw_legend(page.screen, page.language);
             }
@@ -139,15 +169,19 @@ impl Editor<Nets, 3> {
     }
 
     fn picked(&self) -> Option<Index> {
-        self.held.map(|held| held.handle).or(self.craft.chosen.map(|(index, _)| index))
+        self.held.map(|held| held.handle.index()).or(self.craft.chosen.map(|(index, _)| index))
     }
 
     /// The line under the picture: the point being dragged or changed.
     fn line(&self, language: Language) -> Option<String> {
         let (index, part) = match self.held {
-            Some(held) => (held.handle, Part::Place),
+            Some(held) => (held.handle.index(), Part::Place),
             None => self.craft.chosen?,
         };
+        if self.held.is_some_and(|held| matches!(held.handle, Handle::Normal(_))) {
+            let normal = self.preview().normal(index)?.map(|x| format!("{x:.3}")).join(", ");
+            return Some(format!("n[{}, {}] = ({normal})", index[0], index[1]));
+        }
         let value = self.preview().part(index, part)?;
         let phrase = match self.craft.plan.family {
             Family::Heights => words::height_of(index, value[2]),
@@ -193,13 +227,26 @@ impl Editor<Nets, 3> {
     }
 
     /// The control point at a pixel, the one nearest to the viewer; `None` while the surface replaces the net.
-    pub(super) fn point_at(&self, (x, y): (i32, i32)) -> Option<Index> {
-        if self.craft.drawn.is_some() {
+    pub(super) fn point_at(&self, at: (i32, i32)) -> Option<Index> {
+        self.nearest_at(at, NetDesign::point)
+    }
+
+    /// The normal whose tip is at a pixel.
+    pub(super) fn tip_at(&self, at: (i32, i32)) -> Option<Index> {
+        self.nearest_at(at, normals::tip)
+    }
+
+    fn nearest_at(
+        &self,
+        (x, y): (i32, i32),
+        of: impl Fn(&NetDesign, Index) -> Option<Point<3>>,
+    ) -> Option<Index> {
+        if self.craft.drawn.is_some() || self.craft.beside.gauss {
             return None;
         }
         let net = self.history.now();
         let under = net.indices().filter_map(|index| {
-            let point = net.point(index)?;
+            let point = of(net, index)?;
             let (px, py) = self.lens.pixel(point);
             let near = (px - x).pow(2) + (py - y).pow(2) <= REACH * REACH;
             near.then(|| (index, self.lens.look.view.depth(point)))

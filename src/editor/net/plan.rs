@@ -41,6 +41,8 @@ pub enum Family {
     BSpline,
     /// Beta-splines with bias and tension in each direction (3.41).
     Beta,
+    /// Surfaces through points with normals, whose offsets are exact (Pythagorean normals).
+    Normals,
 }
 
 /// The net of a new configuration.
@@ -54,6 +56,8 @@ pub enum Start {
     Sphere(f64),
     /// A torus: major and minor radius.
     Torus(f64, f64),
+    /// A vault over a grid in the xy plane: the spacing, and the height of its middle.
+    Vault(f64, f64),
 }
 
 impl Plan {
@@ -65,6 +69,7 @@ impl Plan {
             Start::Plane(spacing) => nets::plane(shape, spacing),
             Start::Sphere(radius) => nets::sphere(shape, radius),
             Start::Torus(ring, tube) => nets::torus(shape, ring, tube),
+            Start::Vault(spacing, height) => nets::vault(shape, spacing, height),
         }
     }
 }
@@ -79,6 +84,7 @@ impl Family {
             Family::Bezier => Method::Bezier,
             Family::BSpline => Method::BSpline3,
             Family::Beta => Method::Beta,
+            Family::Normals => Method::Pn,
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Draws surfaces: as wires, or as filled cells with a depth buffer.
 
-use super::Nets;
 use super::plan::Family;
+use super::{Nets, normals};
 use crate::design::{DesignError, NetDesign};
-use crate::geometry::{DepthBuffer, Grid, ParamSurface, Point, Vertex};
+use crate::geometry::{BoundingBox, DepthBuffer, Grid, ParamSurface, Point, Vertex};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
@@ -32,10 +32,52 @@ impl Display {
 /// A surface with the grid of points it is drawn from.
 #[derive(Debug)]
 pub(super) struct Drawn {
-    pub(super) surface: Box<dyn ParamSurface>,
-    pub(super) grid: Grid,
+    /// What it is drawn from: the whole surface, or patches, offsets and walls.
+    pub(super) parts: Vec<Part>,
+    /// Cells of the net without surface.
+    pub(super) gaps: Vec<Grid>,
+    /// Spans of the whole surface along u and v.
+    pub(super) spans: [usize; 2],
     /// Grid cells per cell of the net, in each direction.
     pub(super) steps: usize,
+}
+
+/// A part of what is drawn.
+#[derive(Debug)]
+pub(super) struct Part {
+    /// The surface; walls have none.
+    pub(super) surface: Option<Box<dyn ParamSurface>>,
+    pub(super) grid: Grid,
+    /// Its own colour, for what stands beside the surface.
+    pub(super) ink: Option<Color>,
+    /// Whether it is folded, and so drawn in red.
+    pub(super) folded: bool,
+}
+
+impl Part {
+    /// The colour of its lines, in a picture of the given one.
+    fn lines(&self, ink: Color) -> Color {
+        if self.folded { Color::LightRed } else { self.ink.unwrap_or(ink) }
+    }
+}
+
+impl Drawn {
+    /// The parts of the surface itself.
+    pub(super) fn own(&self) -> impl Iterator<Item = (&dyn ParamSurface, &Grid)> {
+        let own = self.parts.iter().filter(|part| part.ink.is_none());
+        own.filter_map(|part| Some((&**part.surface.as_ref()?, &part.grid)))
+    }
+
+    /// Whether there is more than a line to see.
+    pub(super) fn has_area(&self) -> bool {
+        self.parts.iter().map(|part| &part.grid).chain(&self.gaps).any(Grid::has_area)
+    }
+
+    /// All points that it is drawn from.
+    pub(super) fn bounds(&self) -> Option<BoundingBox<3>> {
+        let grids = self.parts.iter().map(|part| &part.grid).chain(&self.gaps);
+        grids.filter_map(|grid| BoundingBox::of_points(grid.points())).reduce(BoundingBox::union)
+    }
 }
 
 /// What the cells are filled with.
@@ -50,12 +92,17 @@ pub(super) enum Fill {
 impl Nets {
     /// The surface of a net; else why there is none.
     pub(super) fn draw_up(&self, net: &NetDesign) -> Result<Drawn, DesignError> {
+        if self.plan.family == Family::Normals {
+            return normals::draw_up(net, self.beside);
+        }
         let surface = net.surface()?;
         let [rows, columns] = net.shape();
         // Large nets are drawn with fewer cells, which keeps the picture quick and readable.
         let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
         let grid = surface.grid(steps)?;
-        Ok(Drawn { surface, grid, steps })
+        let spans = surface.spans();
+        let part = Part { surface: Some(surface), grid, ink: None, folded: false };
+        Ok(Drawn { parts: vec![part], gaps: Vec::new(), spans, steps })
     }
 
     pub(super) fn fill(&self) -> Fill {
@@ -78,14 +125,53 @@ pub(crate) fn draw_grid(
 ) {
     match display {
         Display::Wire => draw_wires(screen, grid, look, ink),
-        Display::Filled => draw_cells(screen, grid, look, |corners| match fill {
+        Display::Filled => draw_cells(screen, &[grid], look, |_, corners| match fill {
             Fill::Sides if below(corners) => (Color::LightGray, Some(ink)),
             Fill::Sides | Fill::Plain => (Color::Black, Some(ink)),
         }),
     }
 }
 
-fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
+/// Draws all parts of a surface; cells without surface are red.
+pub(super) fn draw_parts(
+    screen: &mut Screen,
+    drawn: &Drawn,
+    look: Look,
+    (display, fill): (Display, Fill),
+    ink: Color,
+) {
+    if let ([part], []) = (drawn.parts.as_slice(), drawn.gaps.as_slice()) {
+        return draw_grid(screen, &part.grid, look, (display, fill), ink);
+    }
+    match display {
+        Display::Wire => {
+            drawn.gaps.iter().for_each(|gap| draw_gap(screen, gap, look));
+            // The surface itself over what stands beside it.
+            for own in [false, true] {
+                let parts = drawn.parts.iter().filter(|part| part.ink.is_none() == own);
+                parts.for_each(|part| draw_wires(screen, &part.grid, look, part.lines(ink)));
+            }
+        }
+        Display::Filled => {
+            let grids: Vec<&Grid> = drawn.parts.iter().map(|part| &part.grid).chain(&drawn.gaps).collect();
+            draw_cells(screen, &grids, look, |index, _| match drawn.parts.get(index) {
+                Some(part) => (Color::Black, Some(part.lines(ink))),
+                None => (Color::Red, Some(Color::LightRed)),
+            });
+        }
+    }
+}
+
+/// Draws a cell without surface: its outline and its diagonals.
+pub(super) fn draw_gap(screen: &mut Screen, gap: &Grid, look: Look) {
+    let pixels: Vec<(i32, i32)> = gap.points().iter().map(|&point| look.to_screen(point)).collect();
+    if let &[a, b, c, d] = pixels.as_slice() {
+        screen.polyline(&[a, b, d, c, a, d], Stroke::thick(Color::LightRed));
+        screen.polyline(&[b, c], Stroke::thick(Color::LightRed));
+    }
+}
+
+pub(super) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
     let pixels: Vec<(i32, i32)> = grid.points().iter().map(|&point| look.to_screen(point)).collect();
     let stroke = Stroke::thin(ink);
     for row in pixels.chunks(grid.columns()) {
@@ -97,26 +183,30 @@ fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
     }
 }
 
-/// Draws the cells of a grid; fill and edge colour of each are given by its corners.
+/// Draws the cells of grids that hide each other; fill and edge colour of each are given by the index of its grid and
+/// its corners.
 pub(super) fn draw_cells(
     screen: &mut Screen,
-    grid: &Grid,
+    grids: &[&Grid],
     look: Look,
-    mut inks: impl FnMut(&[Vertex; 4]) -> (Color, Option<Color>),
+    mut inks: impl FnMut(usize, &[Vertex; 4]) -> (Color, Option<Color>),
 ) {
-    let mut vertices: Vec<Vertex> = grid.points().iter().map(|&point| vertex(look, point)).collect();
+    let points = grids.iter().flat_map(|grid| grid.points());
+    let mut vertices: Vec<Vertex> = points.map(|&point| vertex(look, point)).collect();
     let Some((corner, [width, height])) = seen(&vertices) else { return };
     for vertex in &mut vertices {
         (vertex.x, vertex.y) = (vertex.x.saturating_sub(corner.0), vertex.y.saturating_sub(corner.1));
     }
-    let mut cells: Vec<Cell> = grid
-        .cells()
-        .map(|cell| {
+    let mut cells: Vec<Cell> = Vec::new();
+    let mut first = 0;
+    for (index, grid) in grids.iter().enumerate() {
+        cells.extend(grid.cells().map(|cell| {
             // The indices come from the grid's points.
-            let corners = cell.map(|index| vertices.get(index).copied().unwrap_or_default());
-            Cell { corners, inks: inks(&corners) }
-        })
-        .collect();
+            let corners = cell.map(|corner| vertices.get(first + corner).copied().unwrap_or_default());
+            Cell { corners, inks: inks(index, &corners) }
+        }));
+        first += grid.points().len();
+    }
     // The order does not change the picture; front to back is quickest, as hidden pixels are skipped.
     cells.sort_unstable_by(|a, b| b.nearest().total_cmp(&a.nearest()));
     let mut buffer = DepthBuffer::new(width, height);

@@ -23,6 +23,16 @@ pub(super) enum Action {
     Border,
     Mirror,
     Refine,
+    /// A normal, by the number of its point.
+    Normal,
+    NormalAt(Index),
+    Automatic,
+    Distance,
+    Both,
+    Shell,
+    Compare,
+    Gauss,
+    Size,
 }
 
 type Row = Command<Action>;
@@ -64,6 +74,51 @@ const REFINE: Row = Command::key(Key::F(8), (Words("F8", "F8"), words::HELP_REFI
 const STORE: Row = Command::told(SAVE);
 const BACK: Row = Command::told(UNDO);
 
+const NORMAL: Row = Command::button(
+    Button::new(550, 4, words::NORMAL_BUTTON),
+    (Words("N", "N"), words::HELP_NORMAL),
+    Action::Normal,
+);
+const DISTANCE: Row = Command::button(
+    Button::new(550, 21, words::OFFSET_BUTTON),
+    (Words("P", "P"), words::HELP_OFFSET),
+    Action::Distance,
+);
+const AUTOMATIC: Row =
+    Command::key(Key::Char('A'), (Words("A", "A"), words::HELP_AUTOMATIC_NORMALS), Action::Automatic);
+const SIDES: Row = Command::key(Key::Char('M'), (Words("M H", "M H"), words::HELP_SIDES), Action::Both);
+const SHELL: Row = Command::also(Key::Char('H'), Action::Shell);
+const SIZE: Row = Command::key(Key::Char('R'), (Words("R", "R"), words::HELP_NET_SIZE), Action::Size);
+const COMPARE: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_COMPARE_PN), Action::Compare);
+const INSPECT_RADII: Row = Command::elsewhere(Key::F(5), (Words("F5", "F5"), words::HELP_INSPECT_RADII));
+const GAUSS: Row = Command::key(Key::F(8), (Words("F8", "F8"), words::HELP_GAUSS), Action::Gauss);
+const DRAG_NORMALS: Row = Command::told((Words("egér", "mouse"), words::HELP_NORMALS_DRAG));
+
+const NORMALS: Commands<Action> = Commands(&[
+    CHANGE,
+    NORMAL,
+    SURFACE,
+    DISTANCE,
+    RESULT,
+    LEAVE,
+    AUTOMATIC,
+    SIDES,
+    SHELL,
+    SIZE,
+    DRAG_NORMALS,
+    TURN[0],
+    TURN[1],
+    TURN[2],
+    TURN[3],
+    FOLLOW,
+    COMPARE,
+    INSPECT_RADII,
+    SECTION,
+    MIRROR,
+    GAUSS,
+    STORE,
+    BACK,
+]);
 const PLAIN: Commands<Action> = Commands(&[
     CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
     MIRROR, STORE, BACK,
@@ -92,12 +147,15 @@ pub(super) fn of(family: Family) -> Commands<Action> {
         Family::Local => LOCAL,
         Family::Beta => BETA,
         Family::BSpline => B_SPLINE,
+        Family::Normals => NORMALS,
         Family::Spline | Family::Heights | Family::Bezier => FINER,
     }
 }
 
 /// The help page of a program without parameters.
 pub const KEYS: &[KeyHelp] = &PLAIN.help::<{ PLAIN.lines() }>();
+/// The help page of surfaces with normals.
+pub const NORMALS_KEYS: &[KeyHelp] = &NORMALS.help::<{ NORMALS.lines() }>();
 /// The same with a coefficient in each direction.
 pub const LOCAL_KEYS: &[KeyHelp] = &LOCAL.help::<{ LOCAL.lines() }>();
 /// The same with bias and tension in each direction.
@@ -113,14 +171,14 @@ mod tests {
 
     #[test]
     fn every_text_fits_its_button() {
-        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER] {
+        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER, NORMALS] {
             assert_eq!(commands.too_wide(), [""; 0]);
         }
     }
 
     #[test]
     fn no_key_has_two_meanings() {
-        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER] {
+        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER, NORMALS] {
             assert_eq!(commands.shared_keys(), []);
         }
         assert_eq!(super::super::show::COMMANDS.shared_keys(), []);

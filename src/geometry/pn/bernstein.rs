@@ -114,6 +114,16 @@ impl Tensor {
         [left, right]
     }
 
+    /// The value with the derivatives by u, v, uu, uv and vv.
+    pub(super) fn jet(&self, u: f64, v: f64) -> [f64; 6] {
+        let [m, n] = self.degrees;
+        let rows = (0..=m).map(|k| line_jet((0..=n).map(|l| self.coefficient(k, l)).collect(), v));
+        let rows: Vec<[f64; 3]> = rows.collect();
+        let [[value, by_u, by_uu], [by_v, by_uv, _], [by_vv, ..]] =
+            std::array::from_fn(|order| line_jet(rows.iter().map(|row| row[order]).collect(), u));
+        [value, by_u, by_v, by_uu, by_uv, by_vv]
+    }
+
     /// The four quarters, by u, then by v.
     pub(super) fn quarters(&self) -> [Self; 4] {
         let [before, after] = self.split(0, 0.5);
@@ -132,6 +142,25 @@ impl Tensor {
         let [m, n] = self.degrees;
         [[0, 0], [0, n], [m, 0], [m, n]].map(|[k, l]| self.coefficient(k, l))
     }
+}
+
+/// The value, the first and the second derivative of a polynomial by its Bernstein coefficients, by de Casteljau's
+/// algorithm.
+fn line_jet(mut row: Vec<f64>, t: f64) -> [f64; 3] {
+    let degree = row.len().saturating_sub(1);
+    let mut jet = [0.0; 3];
+    for left in (0..=degree).rev() {
+        match (left, row.as_slice()) {
+            (2, [a, b, c, ..]) => jet[2] = (degree * (degree - 1)) as f64 * (c - 2.0 * b + a),
+            (1, [a, b, ..]) => jet[1] = degree as f64 * (b - a),
+            (0, [a, ..]) => jet[0] = *a,
+            _ => {}
+        }
+        for i in 0..left {
+            row[i] = (1.0 - t) * row[i] + t * row[i + 1];
+        }
+    }
+    jet
 }
 
 #[cfg(test)]
@@ -164,6 +193,12 @@ mod tests {
             prop_assert!((value(&a.minus(&b), u, v) - at_a + at_b).abs() < 1e-13);
             let h = 1e-5;
             let (by_u, by_v) = (value(&a, u + h, v) - value(&a, u - h, v), value(&a, u, v + h) - value(&a, u, v - h));
+            let jet = a.jet(u, v);
+            let by = [a.derivative(0), a.derivative(1)];
+            let seconds = [by[0].derivative(0), by[0].derivative(1), by[1].derivative(1)];
+            for (jet, tensor) in jet.iter().zip([a.clone()].iter().chain(&by).chain(&seconds)) {
+                prop_assert!((jet - value(tensor, u, v)).abs() < 1e-11);
+            }
             prop_assert!((value(&a.derivative(0), u, v) - by_u / (2.0 * h)).abs() < 1e-6);
             prop_assert!((value(&a.derivative(1), u, v) - by_v / (2.0 * h)).abs() < 1e-6);
         }

@@ -9,7 +9,8 @@
 //! - [`PnData`]: the net of points and normals;
 //! - [`PnNet`]: all patches, also those that are parabolic somewhere, and the sign of their Jacobian;
 //! - [`PnSurface`]: the surface, once all patches are proved regular; its offsets, radii of curvature, rational
-//!   form ([`RationalSurface`]) and shells ([`Shell`]).
+//!   form ([`RationalSurface`]) and shells ([`Shell`]);
+//! - [`RationalPatches`]: a surface of rational patches that were written down.
 
 mod bernstein;
 mod chart;
@@ -17,7 +18,9 @@ mod data;
 mod isotropic;
 mod jet;
 mod net;
+mod overview;
 mod patch;
+mod patches;
 mod radii;
 mod rational;
 mod shell;
@@ -26,6 +29,8 @@ mod surface;
 pub use chart::PnMethod;
 pub use data::PnData;
 pub use net::{Jacobian, PnNet};
+pub use overview::Overview;
+pub use patches::RationalPatches;
 pub use radii::{RadiusRange, SafeDistances};
 pub use rational::{RationalPatch, RationalSurface};
 pub use shell::Shell;

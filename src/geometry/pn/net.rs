@@ -80,7 +80,7 @@ impl Jacobian {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PnNet {
-    chart: Chart,
+    pub(super) chart: Chart,
     size: [usize; 2],
     patches: Vec<(Patch, Jacobian)>,
 }

@@ -91,7 +91,7 @@ impl PnSurface {
 
 /// The least value near a place with a known value, by golden sections along u, v and the way of the last
 /// round, each within a step.
-fn least_near(value: &dyn Fn([f64; 2]) -> f64, start: ([f64; 2], f64), step: f64) -> f64 {
+pub(super) fn least_near(value: &dyn Fn([f64; 2]) -> f64, start: ([f64; 2], f64), step: f64) -> f64 {
     let (mut place, mut least) = start;
     for _ in 0..ROUNDS {
         let (before, old) = (place, least);

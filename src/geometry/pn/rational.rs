@@ -16,7 +16,7 @@ const HALVINGS: usize = 6;
 #[derive(Clone, Debug, PartialEq)]
 pub struct RationalPatch {
     /// x w, y w, z w and w.
-    parts: [Tensor; 4],
+    pub(super) parts: [Tensor; 4],
 }
 
 impl RationalPatch {

@@ -6,7 +6,9 @@ use super::patch::{self, Local};
 use super::{PnData, PnMethod};
 use crate::geometry::limits::COORDINATE_LIMIT;
 use crate::geometry::point::{add_scaled, within_limit};
-use crate::geometry::{Derivatives, GeometryError, ParamSurface, Patch, Point};
+use crate::geometry::{
+    BSplineSurface, Derivatives, GeometryError, ParamSurface, Patch, Point, RationalSurface,
+};
 
 /// A regular surface with Pythagorean normals, or an offset of one, which is another.
 ///
@@ -164,5 +166,11 @@ impl ParamSurface for PnSurface {
         let side = -local.jacobian.0[0].signum() * r1.signum() * r2.signum();
         let normal = self.chart.direction(local.normal.map(|jet| side * jet.0[0]));
         (r1 != 0.0 && r2 != 0.0 && within_limit(&normal)).then_some(normal)
+    }
+
+    /// The rational B-spline surface of [`PnSurface::to_rational`].
+    fn to_bspline(&self) -> Option<BSplineSurface> {
+        let RationalSurface { degrees, knots, multiplicities, net } = self.to_rational().ok()?;
+        Some(BSplineSurface::rational(degrees, knots, multiplicities, &net))
     }
 }

@@ -3,7 +3,7 @@
 use crate::geometry::point::lerp;
 use crate::geometry::{BoundingBox, Point};
 
-/// A B-spline surface over clamped knots. Direction 0 is `u`, 1 is `v`.
+/// A B-spline surface over clamped knots, rational if its control points have weights. Direction 0 is `u`, 1 is `v`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BSplineSurface {
     /// The degrees.
@@ -14,6 +14,8 @@ pub struct BSplineSurface {
     pub multiplicities: [Vec<usize>; 2],
     /// The control points: row `k` counts in the direction of `u`, point `l` of it in that of `v`.
     pub net: Vec<Vec<Point<3>>>,
+    /// The weights of the control points of a rational surface, in the order of the net.
+    pub weights: Option<Vec<Vec<f64>>>,
 }
 
 /// Every index as often as its multiplicity says.
@@ -22,6 +24,19 @@ pub(super) fn repeated(multiplicities: &[usize]) -> impl Iterator<Item = usize> 
 }
 
 impl BSplineSurface {
+    /// The surface by homogeneous control points (xw, yw, zw, w) with positive weights.
+    pub(in crate::geometry) fn rational(
+        degrees: [usize; 2],
+        knots: [Vec<f64>; 2],
+        multiplicities: [Vec<usize>; 2],
+        net: &[Vec<[f64; 4]>],
+    ) -> Self {
+        let point = |[x, y, z, w]: &[f64; 4]| [x / w, y / w, z / w];
+        let weights = net.iter().map(|row| row.iter().map(|point| point[3]).collect()).collect();
+        let net = net.iter().map(|row| row.iter().map(point).collect()).collect();
+        Self { degrees, knots, multiplicities, net, weights: Some(weights) }
+    }
+
     /// All knots of a direction, each as often as it counts.
     #[must_use]
     pub fn knot_vector(&self, direction: usize) -> Vec<f64> {
@@ -38,9 +53,24 @@ impl BSplineSurface {
     #[must_use]
     pub fn eval(&self, s: f64, t: f64) -> Option<Point<3>> {
         let [u, v] = [self.knot_vector(0), self.knot_vector(1)];
-        let row: Option<Vec<Point<3>>> =
-            self.net.iter().map(|row| de_boor(self.degrees[1], &v, row, t)).collect();
-        de_boor(self.degrees[0], &u, &row?, s)
+        let Some(weights) = &self.weights else {
+            let row: Option<Vec<Point<3>>> =
+                self.net.iter().map(|row| de_boor(self.degrees[1], &v, row, t)).collect();
+            return de_boor(self.degrees[0], &u, &row?, s);
+        };
+        let row: Option<Vec<[f64; 4]>> = self
+            .net
+            .iter()
+            .zip(weights)
+            .map(|(row, weights)| {
+                let weighted = |([x, y, z], w): (&Point<3>, &f64)| [x * w, y * w, z * w, *w];
+                let row: Vec<[f64; 4]> = row.iter().zip(weights).map(weighted).collect();
+                de_boor(self.degrees[1], &v, &row, t)
+            })
+            .collect();
+        let [x, y, z, w] = de_boor(self.degrees[0], &u, &row?, s)?;
+        let point = [x / w, y / w, z / w];
+        point.iter().all(|x| x.is_finite()).then_some(point)
     }
 
     /// The curve of control points that bounds the surface at the beginning (or else at the end) of `u`
@@ -107,14 +137,14 @@ pub enum Rim {
 }
 
 /// The point of a B-spline curve with all its knots.
-fn de_boor(degree: usize, knots: &[f64], points: &[Point<3>], t: f64) -> Option<Point<3>> {
+fn de_boor<const D: usize>(degree: usize, knots: &[f64], points: &[[f64; D]], t: f64) -> Option<[f64; D]> {
     if points.len() <= degree || knots.len() != points.len() + degree + 1 {
         return None;
     }
     let t = t.clamp(*knots.first()?, knots.last()?.max(*knots.first()?));
     // The last span that begins at or before t, and is not the empty one behind the last knot.
     let span = (degree..points.len()).rev().find(|&j| knots[j] <= t && knots[j] < knots[j + 1])?;
-    let mut d: Vec<Point<3>> = points.get(span - degree..=span)?.to_vec();
+    let mut d: Vec<[f64; D]> = points.get(span - degree..=span)?.to_vec();
     for round in 1..=degree {
         for j in (round..=degree).rev() {
             let (from, to) = (knots[span - degree + j], knots[span + 1 + j - round]);

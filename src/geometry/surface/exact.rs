@@ -35,7 +35,8 @@ pub(super) fn of_patches(patches: &[Patch], directions: [Direction; 2]) -> BSpli
         .map(|k| columns.iter().filter_map(|column| column.get(k).copied()).collect())
         .collect();
     let multiplicities = [u.multiplicities, v.multiplicities];
-    let mut surface = BSplineSurface { degrees: [3; 2], knots: [u.breaks, v.breaks], multiplicities, net };
+    let mut surface =
+        BSplineSurface { degrees: [3; 2], knots: [u.breaks, v.breaks], multiplicities, net, weights: None };
     surface.close(directions.map(|direction| direction.closed));
     surface
 }
@@ -48,6 +49,7 @@ pub(super) fn of_bezier(net: &[Vec<Point<3>>]) -> BSplineSurface {
         knots: [vec![0.0, 1.0], vec![0.0, 1.0]],
         multiplicities: counts.map(|count| vec![count, count]),
         net: net.to_vec(),
+        weights: None,
     };
     surface.close([false; 2]);
     surface

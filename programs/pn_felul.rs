@@ -1,0 +1,44 @@
+//! PN_FELUL: surfaces through points with normals, whose offsets are exact, after a thesis of 2025 (Babeş-Bolyai
+//! University). All of it is the surface editor; the mathematics is `grafika::geometry::pn`.
+
+use super::groups;
+use crate::editor::net::{self, Family, Plan, Start};
+use crate::file::{Format, NetKind};
+use crate::machine::Key;
+use crate::ui::{CommandLine, Demo, Manual, Program, Words};
+
+const PLAN: Plan = Plan {
+    manual: Manual {
+        name: "pn_felul",
+        about: Words("Felületek pontos párhuzamosokkal", "Surfaces with exact offsets"),
+        intro: Words(
+            "Felület pontokon és normálisokon át, amelynek minden párhuzamosa is pontosan leírható. Nyomja le: P, \
+             30, Enter, aztán húzzon egy pontot vagy egy zöld normálist; az F8 képén látszik, miért lesz piros egy \
+             folt. A normálisok törtfüggvények, gyökvonás nélkül, ezért a szerszám vagy a fal vastagsága nem rontja \
+             el a felület alakját.",
+            "A surface through points and normals, all of whose offsets are exact as well. Press P, 30 and Enter, then \
+             drag a point or a green normal; the picture of F8 shows why a patch turns red. The normals are quotients \
+             of polynomials, without a root, so that a tool's radius or a wall's thickness leads to another exact \
+             surface.",
+        ),
+        keys: net::NORMALS_KEYS,
+        lesson: &[],
+    },
+    kind: NetKind::Pn,
+    reads: &[NetKind::Fps, NetKind::Fbs, NetKind::Fpb, NetKind::Fem],
+    family: Family::Normals,
+    start: Start::Vault(80.0, 90.0),
+    steps: 10,
+    view: NetKind::VIEW,
+};
+
+/// The program.
+pub const PROGRAM: Program = Program {
+    manual: PLAN.manual,
+    chapter: "P",
+    group: &groups::OFFSETS,
+    opens: &[Format::Pn],
+    demo: Demo { file: "P.PN", script: "type p6\nkey Enter\ntype ftet", motion: Some(Key::Left) },
+    start: |document| net::start(&PLAN, document),
+    command_line: CommandLine::Usual,
+};
