@@ -53,7 +53,7 @@ fn on_the_surface(net: &Net, norm: impl Fn(Point) -> f64) -> bool {
 fn nets_are_whole_in_the_first_picture() {
     let view = View::from_direction([0.3, -0.7, 0.2]);
     let found = nets(&NetKind::ALL);
-    assert_eq!(found.len(), 18);
+    assert_eq!(found.len(), 22);
     for (name, net) in found {
         // The rest of the matrix of a Hermite patch is vectors.
         let count = if net.kind == NetKind::Fhc { 2 } else { 8 };

@@ -254,7 +254,7 @@ fn refusals_are_one_line_and_write_nothing() {
         ("sample A.ZMS --start 1,2 -o out", 2, "--start is for phspline"),
         ("sample bay.json --start 1 -o out", 2, "DX,DY"),
         ("sample A.ZMS --method phspline -o out", 2, "phspline is for curves"),
-        ("measure A.ZMS --to json -o out", 2, "no control points of a PH curve"),
+        ("measure A.ZMS --to json -o out", 2, "spline has no exact normals and offsets"),
         ("render bay.json --to stl -o out", 2, "meshes are of surfaces"),
         ("render bay.json --comb --to step -o out", 2, "for pictures"),
         ("offset bay.json --distance 3 --to obj -o out", 2, "possible values"),

@@ -112,10 +112,10 @@ pub fn quantity_json(header: &[&str], counted: usize, rows: &[Vec<Option<f64>>])
                 Some(value) if column < counted => Value::from(*value as u64),
                 value => Value::from(*value),
             };
-            ((*name).to_owned(), value)
+            format!("{}:{value}", Value::from(*name))
         });
-        let row: Map<String, Value> = fields.collect();
-        let _ = write!(text, "{}{}", if index == 0 { "\n" } else { ",\n" }, Value::Object(row));
+        let row = fields.collect::<Vec<String>>().join(",");
+        let _ = write!(text, "{}{{{row}}}", if index == 0 { "\n" } else { ",\n" });
     }
     text.push_str("\n]\n");
     text

@@ -219,7 +219,12 @@ mod tests {
                 // What comes before a pipe or after a redirection is the shell's.
                 let line = line.rsplit_once("| ").map_or(line, |(_, line)| line);
                 let line = line.split_once(" > ").map_or(line, |(line, _)| line).trim();
-                let words: Vec<&str> = line.split_whitespace().collect();
+                // Every second piece stands in quotes.
+                let pieces = line.split('"').enumerate().map(|(at, piece)| match at % 2 {
+                    0 => piece.split_whitespace().collect(),
+                    _ => vec![piece],
+                });
+                let words: Vec<&str> = pieces.flatten().collect();
                 let whole_line = words.first() == Some(&"grafika");
                 let matched = if whole_line {
                     whole().try_get_matches_from(&words)
