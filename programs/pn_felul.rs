@@ -13,7 +13,7 @@ const PLAN: Plan = Plan {
         about: Words("Felületek pontos párhuzamosokkal", "Surfaces with exact offsets"),
         intro: Words(
             "Felület pontokon és normálisokon át, amelynek minden párhuzamosa is pontosan leírható. Nyomja le: P, \
-             30, Enter, aztán húzzon egy pontot vagy egy zöld normálist; az F8 képén látszik, miért lesz piros egy \
+             30, Enter, aztán húzzon egy pontot vagy egy zöld normálist; F8 mutatja, miért lesz piros egy \
              folt. A normálisok törtfüggvények gyökvonás nélkül, ezért pontos minden párhuzamos felület.",
             "A surface through points and normals, all of whose offsets are exact as well. Press P, 30 and Enter, then \
              drag a point or a green normal; the picture of F8 shows why a patch turns red. The normals are quotients \

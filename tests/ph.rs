@@ -257,7 +257,7 @@ fn refusals_are_one_line_and_write_nothing() {
         ("measure A.ZMS --to json -o out", 2, "spline has no exact normals and offsets"),
         ("render bay.json --to stl -o out", 2, "meshes are of surfaces"),
         ("render bay.json --comb --to step -o out", 2, "for pictures"),
-        ("offset bay.json --distance 3 --to obj -o out", 2, "possible values"),
+        ("offset bay.json --distance 3 --to obj -o out", 2, "not .obj"),
         ("offset bay.json --distance 3 -o out.obj", 2, "not .obj"),
         ("offset bay.json -o out", 2, "--distance"),
         ("offset bay.json --distance 3 --nc out --tolerance 0", 2, "positive number"),
