@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Checks the STEP files of `grafika render` with a CAD kernel. Run by hand:
 
-    pip install cadquery-ocp
+    pip install "cadquery-ocp-novtk<7.9"
     cargo build
     python3 tests/step_kernel.py target/debug/grafika
 
 For every kind of net and every method the kernel (Open CASCADE) has to read one valid face, a solid of positive
 volume where the surface is closed, and a surface that agrees with `grafika sample` to 1e-9 at every sample. Of plane
-curves it has to read one edge for each part of an offset, which agrees with `grafika offset` to 1e-9.
+curves it has to read one edge for each part of an offset, which agrees with `grafika offset` to 1e-9; of nets with
+normals the surface and its offsets, rational ones.
 """
 
 import csv
@@ -91,6 +92,10 @@ CURVES = [([[430, 190], [395, 290], [290, 330], [190, 300], [150, 200], [185, 10
           ([[60, 120], [150, 300], [250, 170], [330, 110], [420, 190], [500, 320]], False, [0, -40, 51, 60, -70]),
           ([[0, 0], [300, 100]], False, [25])]
 
+# Samples with normals, and distances.
+NORMALS = [("G.PN", [0, 4, -10]), ("P.PN", [0, 6, -12]), ("N.PN", [0, 0.5, 3]), ("Y.PN", [0, 12, -9])]
+DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
+
 # Releases of the bindings differ in the name.
 as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face
 as_edge = getattr(TopoDS, "Edge_s", None) or TopoDS.Edge
@@ -116,7 +121,21 @@ def check(grafika, folder, kind, net, closed, method):
     run(grafika, "render", file, *choice, "-o", step)
     # Models of spheres are always led to their poles.
     extended = ["--extended"] if kind in ("ZMS", "ZMB") and method == ["bspline3"] else []
-    samples = list(csv.DictReader(io.StringIO(run(grafika, "sample", file, *choice, *extended, "--per-span", "5"))))
+    samples = run(grafika, "sample", file, *choice, *extended, "--per-span", "5")
+    return compare(step, samples, closed)
+
+
+def check_normals(grafika, folder, file, method, distance):
+    """The same of the offset of a net with normals."""
+    step = folder / "net.step"
+    command = [grafika, "offset", file, "--method", method, f"--distance={distance}"]
+    run(*command, "-o", step)
+    return compare(step, run(*command, "--to", "csv", "--per-span", "5"), False)
+
+
+def compare(step, samples, closed):
+    """The largest distance between the surface in a file and samples of it."""
+    samples = list(csv.DictReader(io.StringIO(samples)))
     reader = STEPControl_Reader()
     assert reader.ReadFile(str(step)) == IFSelect_RetDone, "not read"
     reader.TransferRoots()
@@ -187,6 +206,15 @@ def main():
                 except (AssertionError, subprocess.CalledProcessError) as error:
                     sys.exit(f"{kind} {' '.join(method)}: {getattr(error, 'stderr', '')} {error}")
                 count += 1
+        for name, distances in NORMALS:
+            for distance in distances:
+                for method in ("pn", "pn-thesis"):
+                    case = (DATA / name, method, distance)
+                    try:
+                        worst = max(worst, check_normals(grafika, pathlib.Path(folder), *case))
+                    except (AssertionError, subprocess.CalledProcessError) as error:
+                        sys.exit(f"{case}: {getattr(error, 'stderr', '')} {error}")
+                    count += 1
         for points, closed, distances in CURVES:
             for distance in distances:
                 for trim in (False, True):
