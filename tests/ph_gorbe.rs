@@ -217,5 +217,5 @@ fn recordings_replay() {
 
 #[test]
 fn random_events_do_no_harm() {
-    random::storm(PROGRAM, 40_000);
+    random::storm(PROGRAM, random::events());
 }

@@ -158,5 +158,5 @@ fn recordings_replay() {
 
 #[test]
 fn random_events_do_no_harm() {
-    random::storm(PROGRAM, 3_000);
+    random::storm(PROGRAM, random::events());
 }
