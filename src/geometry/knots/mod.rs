@@ -4,7 +4,8 @@
 //! a [`KnotSurface`] a net. A point of the curve runs along a [`KnotPath`] while one knot moves; all curves of such a
 //! family touch an [`Envelope`]; two knots moved against each other draw points along lines ([`Opposed`]). The other
 //! way round, knots (and weights) are found for a curve through a given point: [`KnotCurve::through_outer`],
-//! [`KnotCurve::through_pair`], [`KnotCurve::through_knot`], [`KnotCurve::through_weights`].
+//! [`KnotCurve::through_pair`], [`KnotCurve::through_knot`], [`KnotCurve::through_weights`], or the least move of all,
+//! [`KnotCurve::through_any`].
 //!
 //! Order `k` is degree + 1; knots, spans and control points are counted from 0. The theorems are M. Hoffmann's and
 //! I. Juhász's ("On the knot modification of a B-spline curve", 2001; "The effect of knot modifications on the shape
@@ -23,6 +24,7 @@ mod outer;
 mod pair;
 mod path;
 mod remove;
+mod search;
 mod single;
 mod surface;
 mod surface_through;
@@ -39,6 +41,7 @@ pub use limits::Limits;
 pub use opposed::Opposed;
 pub use pair::Pair;
 pub use path::{KnotPath, Straight};
+pub use search::Way;
 pub use surface::KnotSurface;
 pub use through::Through;
 pub use vector::KnotVector;

@@ -156,3 +156,24 @@ fn surfaces_through_points() {
         assert!(surface.through_outer([1e3, 0.0, 0.0], at).is_err());
     }
 }
+
+#[test]
+fn the_least_move_is_found() {
+    for (by, given, point, index, u, knots) in THROUGH.iter().filter(|(by, ..)| *by == "outer") {
+        let curve = curve(given);
+        let Ok((_, found)) = curve.through_any(*point) else {
+            assert!(knots.is_none(), "{by} reaches {point:?}");
+            continue;
+        };
+        assert!(found.miss(*point) < 1e-10 * SIZE);
+        if knots.is_some() {
+            let one = curve.through_outer(*point, *index, *u).unwrap();
+            assert!(found.effort(curve.vector()) <= one.effort(curve.vector()) * (1.0 + 1e-2) + 1e-6);
+        }
+    }
+    let curve = curve(&THROUGH[0].1);
+    let far = [curve.points()[4][0], 1000.0];
+    assert!(curve.through_any(far).is_err());
+    let nearest = curve.nearest_reached(far).unwrap();
+    assert!(nearest[1] < 100.0 && curve.through_any(nearest).is_ok());
+}
