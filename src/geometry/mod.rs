@@ -7,7 +7,8 @@
 //! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
 //! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
 //! points are a [`Basis`]. Curves with exact lengths and offsets are in [`ph`], rational surfaces whose offsets
-//! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`]. Nothing here panics or answers
+//! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`], curves by
+//! their knots in [`knots`]. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
@@ -54,6 +55,7 @@ mod fourier;
 mod hermite;
 mod hidden;
 mod jet;
+pub mod knots;
 mod limits;
 mod method;
 mod param;
