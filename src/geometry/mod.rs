@@ -7,7 +7,8 @@
 //! arcs. The Bézier curve by all points is one arc of any degree. What all curves and surfaces can do,
 //! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
 //! points are a [`Basis`]. Curves with exact lengths and offsets are in [`ph`], rational surfaces whose offsets
-//! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`]. Nothing here panics or answers
+//! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`], curves with shape
+//! parameters in [`shaped`]. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size
@@ -60,6 +61,7 @@ mod param;
 pub mod ph;
 mod pn;
 mod point;
+pub mod shaped;
 mod smooth;
 mod spline;
 mod surface;
