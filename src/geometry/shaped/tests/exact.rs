@@ -143,3 +143,35 @@ fn wrong_parameters_are_told() {
     assert!(interpolate(&Family::c_b_spline(PI).unwrap(), &points, true).is_err());
     assert!(interpolate(&Family::Cyclic, &points, true).is_err());
 }
+
+#[test]
+fn two_cyclic_bases_make_a_torus() {
+    use crate::geometry::{ParamSurface, Weave};
+    // The polygon's radius is that of the circle times (n + 1) / n.
+    let turn = |i: usize, n: usize| (TAU * i as f64 / (2 * n + 1) as f64).sin_cos();
+    let net = |i: usize| {
+        let (sin, cos) = turn(i, 2);
+        let row = |j: usize| {
+            let (up, out) = turn(j, 1);
+            let far = 1.5 * (3.0 + 2.0 * out);
+            [far * cos, far * sin, 2.0 * up]
+        };
+        (0..3).map(row).collect()
+    };
+    let [u, v] = [5, 3].map(|n| ShapedBasis::new(Family::Cyclic, n, true).unwrap());
+    let torus = Weave::new(u, v, (0..5).map(net).collect()).unwrap();
+    assert_eq!((torus.spans(), torus.closed()), ([5, 3], [true, true]));
+    for k in 0..30 {
+        let [x, y, z] = torus.eval([k % 5, k % 3], [k as f64 / 30.0, 0.7]).unwrap();
+        assert!((x.hypot(y) - 3.0).hypot(z) - 1.0 < 1e-14 && (x.hypot(y) - 3.0).hypot(z) > 1.0 - 1e-14);
+    }
+}
+
+#[test]
+fn cyclic_points_of_a_rough_curve_beyond_all_limits_are_told() {
+    let wave = |amplitude| Wave { amplitude, phase: 0.25 };
+    let waves = vec![[wave(1.0), wave(1.0)]; 400];
+    let series = Fourier::new([0.0, 0.0], &waves).unwrap();
+    assert!(cyclic_from_fourier(&series, 400).is_err());
+    assert!(cyclic_from_fourier(&series, 20).unwrap().iter().flatten().all(|x| x.is_finite()));
+}

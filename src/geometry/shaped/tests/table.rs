@@ -1,4 +1,5 @@
-//! Values of the shaped curves computed with 40 digits and rounded to doubles, as small tables.
+//! Values of the shaped curves computed with 40 digits and rounded to doubles, as small tables. They are kept out of
+//! the formatter, which would give every number of them a line.
 
 use super::super::{Family, LambdaKind, Lambdas, Parameter, Phi, Trig};
 
