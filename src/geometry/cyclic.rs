@@ -1,4 +1,4 @@
-//! The cyclic system `x[i-1] + 4 x[i] + x[i+1] = rhs[i]` of closed splines (2.39).
+//! The cyclic system `x[i-1] + d x[i] + x[i+1] = rhs[i]` of closed splines (2.39), where `d` is 4.
 
 use super::Point;
 use super::point::add_scaled;
@@ -6,53 +6,57 @@ use super::tridiagonal::Tridiagonal;
 
 /// The cyclic system as a tridiagonal one plus a rank-one correction (Sherman-Morrison). The
 /// book's elimination (2.40)-(2.46) divides by small numbers again and again; this one does not:
-/// with the corner moved by `GAMMA` every row stays diagonally dominant.
+/// with the corner moved by `gamma` every row stays diagonally dominant.
 #[derive(Clone, Debug)]
 pub(super) struct Cyclic {
     base: Tridiagonal,
-    /// Solution of the base system for the right-hand side `(GAMMA, 0, …, 0, 1)`.
+    /// Solution of the base system for the right-hand side `(gamma, 0, …, 0, 1)`.
     correction: Vec<[f64; 1]>,
     /// `1 + v . correction`.
     scale: f64,
+    gamma: f64,
 }
 
-const GAMMA: f64 = -4.0;
-
 impl Cyclic {
-    /// Factors the system of `n` unknowns, `n` at least 3.
+    /// Factors the system of `n` unknowns with 4 in the diagonal, `n` at least 3.
     pub(super) fn new(n: usize) -> Self {
-        let last = n.saturating_sub(1);
+        Self::with_diagonal(n, 4.0)
+    }
+
+    /// Factors the system of `n` unknowns, `n` at least 3, with this diagonal, larger than 2 or smaller than -2.
+    pub(super) fn with_diagonal(n: usize, d: f64) -> Self {
+        let (last, gamma) = (n.saturating_sub(1), -d);
         let diagonal = |i| match i {
-            0 => 4.0 - GAMMA,
-            i if i == last => 4.0 - 1.0 / GAMMA,
-            _ => 4.0,
+            0 => d - gamma,
+            i if i == last => d - 1.0 / gamma,
+            _ => d,
         };
         let base = Tridiagonal::new((0..n).map(diagonal));
         let column = |i| match i {
-            0 => [GAMMA],
+            0 => [gamma],
             i if i == last => [1.0],
             _ => [0.0],
         };
         let mut correction: Vec<[f64; 1]> = (0..n).map(column).collect();
         base.solve(&mut correction);
-        let [dot] = corner_dot(&correction);
-        Self { base, correction, scale: 1.0 + dot }
+        let [dot] = corner_dot(&correction, gamma);
+        Self { base, correction, scale: 1.0 + dot, gamma }
     }
 
     /// Replaces right-hand sides by solutions, all coordinates at once.
     pub(super) fn solve<const D: usize>(&self, rhs: &mut [Point<D>]) {
         self.base.solve(rhs);
-        let factor = corner_dot(rhs).map(|x| x / self.scale);
+        let factor = corner_dot(rhs, self.gamma).map(|x| x / self.scale);
         for (x, &[z]) in rhs.iter_mut().zip(&self.correction) {
             *x = add_scaled(*x, -z, factor);
         }
     }
 }
 
-/// `v . x` with `v = (1, 0, …, 0, 1 / GAMMA)`.
-fn corner_dot<const D: usize>(x: &[Point<D>]) -> Point<D> {
+/// `v . x` with `v = (1, 0, …, 0, 1 / gamma)`.
+fn corner_dot<const D: usize>(x: &[Point<D>], gamma: f64) -> Point<D> {
     match (x.first(), x.last()) {
-        (Some(&first), Some(&last)) => add_scaled(first, 1.0 / GAMMA, last),
+        (Some(&first), Some(&last)) => add_scaled(first, 1.0 / gamma, last),
         _ => [0.0; D],
     }
 }

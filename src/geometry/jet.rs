@@ -22,6 +22,22 @@ impl Jet {
     pub(super) fn parameter(u: f64) -> Self {
         Self([u, 1.0, 0.0])
     }
+
+    /// The same function run through from the other end: this is its jet at `1 - x`, by `1 - x`.
+    pub(super) fn reversed(self) -> Self {
+        let Self([value, first, second]) = self;
+        Self([value, -first, second])
+    }
+
+    /// A power of a function that is not negative; `0^0 = 1`.
+    pub(super) fn powf(self, exponent: f64) -> Self {
+        let Self([u, u1, u2]) = self;
+        // A factor 0 ends the terms: 0 times the infinite power of 0 beside it would be no number.
+        let term =
+            |factor: f64, less: f64| if factor == 0.0 { 0.0 } else { factor * u.powf(exponent - less) };
+        let (slope, bend) = (term(exponent, 1.0), term(exponent * (exponent - 1.0), 2.0));
+        Self([u.powf(exponent), slope * u1, bend * u1 * u1 + slope * u2])
+    }
 }
 
 impl From<f64> for Jet {

@@ -4,7 +4,7 @@ use super::Point;
 use super::point::add_scaled;
 
 /// The elimination (2.31) of `x[i-1] + diagonal[i] x[i] + x[i+1] = rhs[i]`. Every diagonal here is
-/// at least 2 and rows are diagonally dominant, so pivots stay above 1 and no pivoting is needed.
+/// at least 2 in size and rows are diagonally dominant, so pivots stay above 1 and no pivoting is needed.
 #[derive(Clone, Debug)]
 pub(super) struct Tridiagonal {
     /// Reciprocals of the pivots.
