@@ -12,13 +12,12 @@ const PLAN: Plan = Plan {
         name: "pn_felul",
         about: Words("Felületek pontos párhuzamosokkal", "Surfaces with exact offsets"),
         intro: Words(
-            "Felület pontokon és normálisokon át, amelynek minden párhuzamosa is pontosan leírható. Nyomja le: P, \
-             30, Enter, aztán húzzon egy pontot vagy egy zöld normálist; F8 mutatja, miért lesz piros egy \
-             folt. A normálisok törtfüggvények gyökvonás nélkül, ezért pontos minden párhuzamos felület.",
-            "A surface through points and normals, all of whose offsets are exact as well. Press P, 30 and Enter, then \
-             drag a point or a green normal; the picture of F8 shows why a patch turns red. The normals are quotients \
-             of polynomials, without a root, so that a tool's radius or a wall's thickness leads to another exact \
-             surface.",
+            "Felület pontokon és normálisokon át, amelynek minden párhuzamosa pontos. Nyomja le: P, 30, Enter, \
+             aztán húzzon egy pontot vagy egy zöld normálist; F8 mutatja, miért lesz piros egy folt. A normálisok \
+             gyökvonás nélküli törtfüggvények, ezért minden párhuzamos pontosan leírható.",
+            "A surface through points and normals, all of whose offsets are exact. Press P, 30 and Enter, then \
+             drag a point or a green normal; F8 shows why a patch turns red. The normals are quotients of \
+             polynomials, without a root, so a tool's radius or a wall's thickness gives another exact surface.",
         ),
         keys: net::NORMALS_KEYS,
         lesson: &[],

@@ -125,6 +125,22 @@ fn without_a_ph_cubic_the_quintic_is_offered() {
 }
 
 #[test]
+fn formulas_are_dumped_in_full() {
+    let model = own(&bay());
+    let spans = model["spans"].as_array().unwrap();
+    assert_eq!(spans.len(), 5);
+    for span in spans {
+        let h = number(&span["h"]);
+        for (w, end) in [(&span["w"][0], 0), (&span["w"][2], 4)] {
+            let [m, n] = [number(&w[0]), number(&w[1])];
+            near(&span["speed"][end], h * (m * m + n * n), 1e-9);
+            near(&span["hodograph"][end][0], h * (m * m - n * n), 1e-9);
+            near(&span["hodograph"][end][1], 2.0 * h * m * n, 1e-9);
+        }
+    }
+}
+
+#[test]
 fn equal_neighbours_are_refused_by_their_names() {
     let kept = run(&format!("manner today\nlang en\nkey T\ntype D.IP2\nkey Enter\n{CAM}"));
     assert!(kept.models["end.json"]["own"]["refused"].as_str().unwrap().contains("points 2 and 3"));

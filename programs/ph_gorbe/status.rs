@@ -6,7 +6,7 @@ use super::texts;
 use crate::design::DesignError;
 use crate::editor::curve::layer::{Canvas, Scene};
 use crate::figure::wrap;
-use crate::geometry::ph::{Crossing, Place};
+use crate::geometry::ph::{Crossing, PhSegment, Place};
 use crate::screen::Color;
 use crate::ui::{Hint, TOP, Words};
 use serde_json::{Value, json};
@@ -90,7 +90,17 @@ pub(super) fn model(analysis: &Analysis) -> Value {
             "kept": kept.collect::<Vec<_>>(),
         })
     };
+    // All in the Bernstein form: r' = h w^2 and the speed h |w|^2 by the span's own t.
+    let span = |it: &PhSegment| {
+        json!({
+            "h": it.step(),
+            "w": it.preimage(),
+            "hodograph": it.hodograph(),
+            "speed": it.speed_coefficients(),
+        })
+    };
     json!({
+        "spans": curve.segments().iter().map(span).collect::<Vec<_>>(),
         "length": curve.total_length(),
         "energy": curve.energy(),
         "rotation": curve.absolute_rotation(),
