@@ -14,10 +14,10 @@ const PLAN: Plan = Plan {
         intro: Words(
             "Felület pontokon és normálisokon át, amelynek minden párhuzamosa pontos. Nyomja le: P, 30, Enter, \
              aztán húzzon egy pontot vagy egy zöld normálist; F8 mutatja, miért lesz piros egy folt. A normálisok \
-             gyökvonás nélküli törtfüggvények, ezért minden párhuzamos pontosan leírható.",
+             törtfüggvények, gyökvonás nélkül, ezért azok a párhuzamosok is.",
             "A surface through points and normals, all of whose offsets are exact. Press P, 30 and Enter, then \
              drag a point or a green normal; F8 shows why a patch turns red. The normals are quotients of \
-             polynomials, without a root, so a tool's radius or a wall's thickness gives another exact surface.",
+             polynomials, without a root, and so are all offsets.",
         ),
         keys: net::NORMALS_KEYS,
         lesson: &[],
