@@ -522,6 +522,11 @@ fn control_points_become_a_curve_of_polynomials_and_go_back() {
     let EcDocument::Curve(arc) = &*document else { panic!("a curve") };
     assert_eq!((&arc.space, values(&arc.interval)), (&space("0^3"), [0.0, 1.0]));
     assert_eq!(String::from_utf8(convert(&curve, kcg, csv).unwrap()).unwrap(), text);
+    // Of the plane, and by name as the command does it.
+    let plane = Document::from_csv("0,0\n1,2\n3,1\n").unwrap();
+    let files = grafika::work::dos_files(&plane, grafika::file::Format::Kcg, "arc.kcg").unwrap();
+    let Ok(Document::Ec(document)) = Document::decode(kcg, &files[0].1) else { panic!("a curve") };
+    assert!(matches!(&*document, EcDocument::Curve(curve) if curve.points[2] == [3.0, 1.0, 0.0]));
     // More points than the largest space has functions stay what they are, and are refused.
     let many: String = (0..32).map(|k| format!("{k},0,0\n")).collect();
     assert!(convert(many.as_bytes(), csv, kcg).is_err());

@@ -259,6 +259,7 @@ fn refusals_are_one_line_and_write_nothing() {
         ("render bay.json --comb --to step -o out", 2, "for pictures"),
         ("offset bay.json --distance 3 --to obj -o out", 2, "not .obj"),
         ("offset bay.json --distance 3 -o out.obj", 2, "not .obj"),
+        ("offset bay.json --distance 1e300 --to json -o out", 1, "distance is 1e300, but"),
         ("offset bay.json -o out", 2, "--distance"),
         ("offset bay.json --distance 3 --nc out --tolerance 0", 2, "positive number"),
     ] {

@@ -214,6 +214,10 @@ impl fmt::Display for GeometryError {
             Self::Overflow { span } => {
                 write!(f, "span {span} of the curve leaves the range of {COORDINATE_LIMIT:e}")
             }
+            // Hundreds of zeros tell nobody more than an exponent does.
+            Self::Parameter { name, value, wanted } if value.is_finite() && value.abs() >= 1e16 => {
+                write!(f, "{name} is {value:e}, but must be {wanted}")
+            }
             Self::Parameter { name, value, wanted } => write!(f, "{name} is {value}, but must be {wanted}"),
             Self::ToleranceTooSmall { value, least } => {
                 write!(f, "tolerance is {value:e}, but doubles can keep no less than {least:e} here")

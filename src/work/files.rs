@@ -105,7 +105,8 @@ fn all_there(read: impl Fn(&str) -> Option<Vec<u8>>, files: &Files) -> bool {
 /// What is wrong with the points.
 pub fn dos_files(document: &Document, format: Format, name: &str) -> Result<Files, Phrase> {
     if format.size().is_none() {
-        let content = document.write(format).map_err(|error| words::in_file(name, &error))?;
+        let adapted = document.clone().adapted(format);
+        let content = adapted.write(format).map_err(|error| words::in_file(name, &error))?;
         return Ok(vec![(name.to_owned(), content)]);
     }
     let bare = match document.clone().adapted(format).without_settings() {
