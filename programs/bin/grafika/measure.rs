@@ -4,15 +4,14 @@
 use crate::curve::CurveArgs;
 use crate::normals;
 use crate::ph::PhShape;
-use crate::sample::extension;
+use crate::source::Answer;
 use clap::Args;
 use grafika::design::Design;
 use grafika::file::number;
 use grafika::geometry::ph::{PhCurve, SpacePhCurve};
-use grafika::launch::{Failure, progress, write_output};
+use grafika::launch::{Failure, progress};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::PathBuf;
 
 /// The command line of `grafika measure`.
 #[derive(Args)]
@@ -23,33 +22,21 @@ use std::path::PathBuf;
 pub(crate) struct Measure {
     #[command(flatten)]
     curve: CurveArgs,
-    /// Where to write; .json [default: text on standard output]
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<PathBuf>,
-    /// Format of what is written, json or txt, where no name says it
-    #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]
-    to: Option<String>,
+    #[command(flatten)]
+    answer: Answer,
 }
 
 impl Measure {
     /// Measures and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let said = self.to.as_ref().map(|said| said.to_lowercase());
-        let json = match said.or_else(|| extension(self.output.as_deref())).as_deref() {
-            None | Some("txt") => false,
-            Some("json") => true,
-            Some(other) => {
-                let message = format!("-o: measures are written as .json or .txt, not .{other}");
-                return Err(Failure::usage(message));
-            }
-        };
+        let json = self.answer.is_json("measures")?;
         let (design, name) = self.curve.design()?;
         if let Design::Net(net) = &design {
             let alive = progress::alive("measuring");
             let measured = normals::measured(net, &name)?;
             drop(alive);
             let text = if json { measured.to_string() } else { normals::told(&measured).join("\n") };
-            return write_output(self.output.as_deref(), format!("{text}\n").as_bytes());
+            return self.answer.write(format!("{text}\n").as_bytes());
         }
         let shape = PhShape::of(&design, &name)?;
         let alive = progress::alive("measuring");
@@ -60,7 +47,7 @@ impl Measure {
             (PhShape::Space(curve), false) => space_text(curve),
         };
         drop(alive);
-        write_output(self.output.as_deref(), text.as_bytes())
+        self.answer.write(text.as_bytes())
     }
 }
 

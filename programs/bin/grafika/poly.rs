@@ -1,11 +1,10 @@
 //! `grafika poly`: polynomials and rational functions with exact fractions.
 
-use crate::sample::extension;
+use crate::source::Answer;
 use clap::Args;
 use grafika::algebra::{AlgebraError, Fraction, Polynomial, Rational, Variable, assignments, values};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::Failure;
 use serde_json::{Map, Value, json};
-use std::path::PathBuf;
 
 /// The command line of `grafika poly`.
 #[derive(Args)]
@@ -26,26 +25,14 @@ pub(crate) struct Poly {
     /// Values of the variables: the result is a number
     #[arg(long, value_name = "X=NUMBER,...")]
     at: Option<String>,
-    /// Where to write; .json or .txt [default: text on standard output]
-    #[arg(short, long, value_name = "OUT")]
-    output: Option<PathBuf>,
-    /// Format of what is written, json or txt, where no name says it
-    #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]
-    to: Option<String>,
+    #[command(flatten)]
+    answer: Answer,
 }
 
 impl Poly {
     /// Computes and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let said = self.to.as_ref().map(|said| said.to_lowercase());
-        let json = match said.or_else(|| extension(self.output.as_deref())).as_deref() {
-            None | Some("txt") => false,
-            Some("json") => true,
-            Some(other) => {
-                let message = format!("-o: formulas are written as .json or .txt, not .{other}");
-                return Err(Failure::usage(message));
-            }
-        };
+        let json = self.answer.is_json("formulas")?;
         let result = self.computed().map_err(Failure::work)?;
         let value = match &self.at {
             Some(at) => Some(values(at).and_then(|at| result.evaluate(&at)).map_err(Failure::work)?),
@@ -57,7 +44,7 @@ impl Poly {
             (None, true) => as_json(&result).to_string(),
             (None, false) => result.to_string(),
         };
-        write_output(self.output.as_deref(), format!("{text}\n").as_bytes())
+        self.answer.write(format!("{text}\n").as_bytes())
     }
 
     /// The formula after derivatives and substitutions.

@@ -1,8 +1,9 @@
 //! What a command reads and writes: files by name, or standard input and output with a format that is said.
 
+use crate::sample::extension;
 use clap::Args;
 use grafika::file::{FileKind, Format};
-use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as};
+use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as, write_output};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -63,6 +64,36 @@ pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
         let known: Vec<String> = known.collect();
         format!("no data file has this extension; there are {} json csv", known.join(" "))
     })
+}
+
+/// Where an answer goes, and whether it is text or JSON.
+#[derive(Args)]
+pub(crate) struct Answer {
+    /// Where to write; .json or .txt [default: text on standard output]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Format of what is written, json or txt, where no name says it
+    #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]
+    to: Option<String>,
+}
+
+impl Answer {
+    /// Whether JSON is asked for; `what` names the answer in the message about another format.
+    pub(crate) fn is_json(&self, what: &str) -> Result<bool, Failure> {
+        let said = self.to.as_ref().map(|said| said.to_lowercase());
+        match said.or_else(|| extension(self.output.as_deref())).as_deref() {
+            None | Some("txt") => Ok(false),
+            Some("json") => Ok(true),
+            Some(other) => {
+                Err(Failure::usage(format!("-o: {what} are written as .json or .txt, not .{other}")))
+            }
+        }
+    }
+
+    /// Writes the answer.
+    pub(crate) fn write(&self, content: &[u8]) -> Result<(), Failure> {
+        write_output(self.output.as_deref(), content)
+    }
 }
 
 #[cfg(test)]
