@@ -6,8 +6,10 @@
 //! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
 //! Fourier curve (2.2) near `A.IP2`. `A.CSK` and `B.CSK` are two finished Csángó
 //! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`, those of KC_TER in
-//! `make_samples/spaces.rs`, those of PH_GORBE in `make_samples/offsets.rs`. The same bytes come out every time.
+//! `make_samples/spaces.rs`, those of PH_GORBE in `make_samples/offsets.rs`, those of CSOMO and ALAKPAR in `make_samples/knots.rs`. The same bytes come out every time.
 
+#[path = "make_samples/knots.rs"]
+mod knots;
 #[path = "make_samples/nets.rs"]
 mod nets;
 #[path = "make_samples/normals.rs"]
@@ -17,8 +19,7 @@ mod offsets;
 #[path = "make_samples/spaces.rs"]
 mod spaces;
 
-use grafika::editor::fourier::coefficients;
-use grafika::file::{Document, FileError, Format, PlanePoints, SpacePoints};
+use grafika::file::{self, Document, FileError, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{ClosedPath, Fourier};
 use grafika::puzzle::cube::{CORNER, Progress, Search};
 
@@ -64,6 +65,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let spaces = spaces::samples()?.into_iter().map(Ok);
     let normals = normals::samples()?.into_iter().map(Ok);
     let offsets = offsets::samples()?.into_iter().map(Ok);
+    let knots = knots::samples()?.into_iter().map(Ok);
     plane
         .chain(space)
         .chain(cubes)
@@ -72,6 +74,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         .chain(spaces)
         .chain(normals)
         .chain(offsets)
+        .chain(knots)
         .collect()
 }
 
@@ -108,7 +111,7 @@ fn clef() -> PlanePoints {
 fn fourier_a() -> Result<Vec<u8>, FileError> {
     let points: Vec<Point> = letter_a().into_iter().map(|[x, y]| [x - 280.0, y - 190.0]).collect();
     let curve = ClosedPath::polygon(&points).and_then(|polygon| Fourier::fit(&polygon, 20));
-    let mut fourier = coefficients(&curve.map_err(|error| FileError::Invalid(error.to_string()))?);
+    let mut fourier = file::Fourier::of_curve(&curve.map_err(|error| FileError::Invalid(error.to_string()))?);
     for row in [&mut fourier.a, &mut fourier.p, &mut fourier.b, &mut fourier.q] {
         *row = row.map(|value| (value * 1000.0).round() / 1000.0);
     }

@@ -101,6 +101,30 @@ pub const OFFSETS: Group = Group {
     ),
 };
 
+/// Curves by their knots and by shape parameters.
+pub const SHAPES: Group = Group {
+    folder: "ALAK",
+    id: "alak",
+    chapter: "H",
+    name: Words("Csomók, alakparaméterek", "Knots and shape"),
+    about: Words(
+        "Görbék, amelyek alakját a csomók vagy néhány szám változtatja, a kontrollpontok helyükön maradnak.",
+        "Curves that are shaped by their knots or by a number while the control points stay.",
+    ),
+};
+
+/// Surfaces from clouds of points, and skins.
+pub const CLOUDS: Group = Group {
+    folder: "FELHO",
+    id: "felho",
+    chapter: "H",
+    name: Words("Pontfelhők, burkolók", "Clouds and skins"),
+    about: Words(
+        "Felületek szétszórt pontokból neuronhálóval, és körök, gömbök sima burkolója.",
+        "Surfaces from scattered points by nets of neurons, and smooth skins of circles and spheres.",
+    ),
+};
+
 /// Games and puzzles.
 pub const GAMES: Group = Group {
     folder: "JATEK",
@@ -126,7 +150,7 @@ pub const INSTALLER: Group = Group {
 };
 
 /// Every group in the order of the book.
-pub const GROUPS: [&Group; 10] = [
+pub const GROUPS: [&Group; 12] = [
     &CURSORS,
     &PLANE_CURVES,
     &SPACE_CURVES,
@@ -135,12 +159,14 @@ pub const GROUPS: [&Group; 10] = [
     &RINGS,
     &THESIS,
     &OFFSETS,
+    &SHAPES,
+    &CLOUDS,
     &GAMES,
     &INSTALLER,
 ];
 
 /// Every group in the order of the menu: it begins with what shows at once what it is.
-pub const MENU: [&Group; 10] = [
+pub const MENU: [&Group; 12] = [
     &PLANE_CURVES,
     &GAMES,
     &SPACE_CURVES,
@@ -149,6 +175,8 @@ pub const MENU: [&Group; 10] = [
     &RINGS,
     &THESIS,
     &OFFSETS,
+    &SHAPES,
+    &CLOUDS,
     &CURSORS,
     &INSTALLER,
 ];

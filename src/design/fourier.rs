@@ -2,7 +2,6 @@
 //! their windows and changed.
 
 use crate::file::{Fourier, HARMONICS};
-use crate::geometry::{self, GeometryError, Wave};
 use std::ops::RangeInclusive;
 
 /// A column of coefficients.
@@ -206,33 +205,6 @@ fn fixed(value: f64, decimals: usize) -> String {
     format!("{rounded:.decimals$}")
 }
 
-/// The curve of coefficients as a file holds them (2.8).
-///
-/// # Errors
-/// [`GeometryError::Coefficient`] and [`GeometryError::Overflow`].
-pub fn curve(fourier: &Fourier) -> Result<geometry::Fourier<2>, GeometryError> {
-    let wave = |a: &[f64; HARMONICS], p: &[f64; HARMONICS], k: usize| Wave { amplitude: a[k], phase: p[k] };
-    let rows = (1..HARMONICS).map(|k| [wave(&fourier.a, &fourier.p, k), wave(&fourier.b, &fourier.q, k)]);
-    geometry::Fourier::new([fourier.a[0], fourier.b[0]], &rows.collect::<Vec<_>>())
-}
-
-/// The coefficients of a curve, without harmonics that no file can hold. Amplitudes that are only rounding errors
-/// become 0, with phase 0.
-#[must_use]
-pub fn coefficients(curve: &geometry::Fourier<2>) -> Fourier {
-    /// Pixels.
-    const NOTHING: f64 = 1e-9;
-    let [x, y] = curve.offset();
-    let mut fourier = Fourier::default();
-    (fourier.a[0], fourier.b[0]) = (x, y);
-    for (k, row) in (1..HARMONICS).zip(curve.waves()) {
-        let [x, y] = row.map(|wave| if wave.amplitude < NOTHING { Wave::default() } else { wave });
-        (fourier.a[k], fourier.p[k], fourier.b[k], fourier.q[k]) =
-            (x.amplitude, x.phase, y.amplitude, y.phase);
-    }
-    fourier
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -311,8 +283,8 @@ mod tests {
             for (k, value) in values.into_iter().enumerate() {
                 (fourier.a[k], fourier.p[k + 1], fourier.b[k + 1], fourier.q[20 - k]) = (value, value / 40.0, -value, 0.3);
             }
-            let [x, y] = curve(&fourier).unwrap().eval(u);
-            let [again_x, again_y] = curve(&coefficients(&curve(&fourier).unwrap())).unwrap().eval(u);
+            let [x, y] = fourier.curve().unwrap().eval(u);
+            let [again_x, again_y] = Fourier::of_curve(&fourier.curve().unwrap()).curve().unwrap().eval(u);
             prop_assert!((x - again_x).abs() < 1e-10 && (y - again_y).abs() < 1e-10);
         }
     }

@@ -7,11 +7,13 @@ pub mod ec;
 mod edit;
 mod error;
 pub mod fourier;
+pub mod knots;
 mod net;
 pub mod nets;
 mod normals;
 pub mod offset;
 pub mod ph;
+pub mod shaped;
 mod sketch;
 
 pub use edit::{Edit, Place};
@@ -22,7 +24,8 @@ pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
 use crate::file::{
-    CurveSettings, Document, Format, Method, NetSettings, Patches, RationalSpans, SpacePoints,
+    CurveSettings, Document, FamilyName, Format, KnotNet, KnotPoints, Method, NetSettings, Patches,
+    RationalSpans, ShapedPoints, SpacePoints,
 };
 use crate::geometry::ph::Knots;
 use crate::geometry::{Closure, ParamCurve, ParamSurface};
@@ -44,6 +47,12 @@ pub enum Design {
     Rational(Box<RationalSpans>),
     /// A surface of rational Bézier patches.
     Patches(Box<Patches>),
+    /// A curve by its knots.
+    Knots(Box<KnotPoints>),
+    /// A surface by its knots.
+    KnotNet(Box<KnotNet>),
+    /// A curve with shape parameters.
+    Shaped(Box<ShapedPoints>),
 }
 
 /// A curve or a surface.
@@ -73,10 +82,16 @@ impl Design {
             Document::Ec(document) => Ok(Design::Ec(document)),
             Document::Rational(spans) => Ok(Design::Rational(spans)),
             Document::Patches(patches) => Ok(Design::Patches(patches)),
+            Document::Knots(knots) => Ok(Design::Knots(knots)),
+            Document::KnotNet(net) => Ok(Design::KnotNet(net)),
+            Document::Shaped(shaped) => Ok(Design::Shaped(shaped)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
-            | Document::Billiards(_) => Err(DesignError::NoShape),
+            | Document::Billiards(_)
+            | Document::Som(_)
+            | Document::Circles(_)
+            | Document::Spheres(_) => Err(DesignError::NoShape),
         }
     }
 
@@ -88,11 +103,20 @@ impl Design {
         Ok(match self {
             Design::Plane(sketch) => Shape::Plane(sketch.curve()?),
             Design::Space(sketch) => Shape::Space(sketch.curve()?),
-            Design::Fourier(coefficients) => Shape::Plane(Box::new(fourier::curve(coefficients)?)),
+            Design::Fourier(coefficients) => Shape::Plane(Box::new(coefficients.curve()?)),
             Design::Net(net) => Shape::Surface(net.surface()?),
             Design::Patches(patches) => Shape::Surface(Box::new(normals::patches(patches)?)),
             Design::Ec(document) => Shape::Parts(ec::Bases::default().shapes(document)?),
             Design::Rational(spans) => Shape::Plane(Box::new(offset::curve(spans)?)),
+            Design::Knots(points) => match knots::curve(points)? {
+                knots::Curve::Plane(curve) => Shape::Plane(Box::new(curve)),
+                knots::Curve::Space(curve) => Shape::Space(Box::new(curve)),
+            },
+            Design::KnotNet(net) => Shape::Surface(Box::new(net.surface()?)),
+            Design::Shaped(points) => match shaped::curve(points)? {
+                shaped::Curve::Plane(curve) => Shape::Plane(Box::new(curve)),
+                shaped::Curve::Space(curve) => Shape::Space(Box::new(curve)),
+            },
         })
     }
 }
@@ -129,6 +153,13 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
         // JSON holds everything.
         return Vec::new();
     }
+    let controls = match document {
+        Document::Knots(_) | Document::Shaped(_) => without_points(document),
+        _ => Vec::new(),
+    };
+    if !controls.is_empty() {
+        return if format == Format::Gbp { Vec::new() } else { controls };
+    }
     let document = match document.clone() {
         Document::PlanePoints(mut plane) => {
             forget_usual(&mut plane.settings, implied);
@@ -162,6 +193,27 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
         lost.push("tangents".to_owned());
     }
     lost
+}
+
+/// The names of what curves by knots and curves with shape parameters have besides control points.
+#[must_use]
+pub fn without_points(document: &Document) -> Vec<String> {
+    let names = match document {
+        Document::Knots(knots) => vec![
+            ("order", true),
+            ("knots", true),
+            ("weights", knots.weights.is_some()),
+            ("closed", knots.closed),
+        ],
+        Document::Shaped(shaped) => vec![
+            ("family", true),
+            ("parameters", !shaped.points.is_empty() && shaped.family != FamilyName::Cyclic),
+            ("blend", shaped.blend.is_some()),
+            ("closed", shaped.closed),
+        ],
+        _ => Vec::new(),
+    };
+    names.into_iter().filter(|(_, given)| *given).map(|(name, _)| name.to_owned()).collect()
 }
 
 /// Removes the settings that are drawn anyway.

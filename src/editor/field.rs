@@ -4,19 +4,19 @@ use crate::screen::{Color, Screen};
 use crate::ui::{Area, sunken};
 
 /// The black area of the picture.
-pub(super) const PICTURE: Area = Area::new(29, 58, 633, 462);
+pub(crate) const PICTURE: Area = Area::new(29, 58, 633, 462);
 /// Its frame.
 const FRAME: Area = Area::new(25, 54, 637, 466);
 /// Radius of a control point's disc in pixels.
 const RADIUS: i32 = 10;
 
 /// The black background of the picture.
-pub(super) fn ground(screen: &mut Screen) {
+pub(crate) fn ground(screen: &mut Screen) {
     screen.bar(PICTURE.x1, PICTURE.y1, PICTURE.x2, PICTURE.y2, Color::Black);
 }
 
 /// Everything around the picture. It is drawn later, so that it covers a curve that leaves the field.
-pub(super) fn surroundings(screen: &mut Screen) {
+pub(crate) fn surroundings(screen: &mut Screen) {
     let Area { x1, y1, x2, y2 } = FRAME;
     screen.bar(0, 0, 639, y1, Color::LightCyan);
     screen.bar(0, y2, 639, 479, Color::LightCyan);
@@ -26,13 +26,13 @@ pub(super) fn surroundings(screen: &mut Screen) {
 }
 
 /// The disc of a control point with its number, counted from 1.
-pub(super) fn numbered_disc(screen: &mut Screen, (x, y): (i32, i32), number: usize, fill: Color) {
+pub(crate) fn numbered_disc(screen: &mut Screen, (x, y): (i32, i32), number: usize, fill: Color) {
     screen.disc(x, y, RADIUS, fill, Color::White);
     let text_x = if number <= 9 { x - 2 } else { x - 7 };
     screen.text(text_x, y - 3, &number.to_string(), Color::White);
 }
 
 /// Whether a pixel lies on the disc around another.
-pub(super) fn on_disc((center_x, center_y): (i32, i32), (x, y): (i32, i32)) -> bool {
+pub(crate) fn on_disc((center_x, center_y): (i32, i32), (x, y): (i32, i32)) -> bool {
     (x - center_x).pow(2) + (y - center_y).pow(2) <= RADIUS.pow(2)
 }

@@ -11,18 +11,18 @@ use crate::ui::{Area, words};
 
 /// A handle held by the mouse.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Held<H, const D: usize> {
-    pub(super) handle: H,
+pub(crate) struct Held<H, const D: usize> {
+    pub(crate) handle: H,
     /// The pixel where it was pressed.
-    pub(super) pressed: (i32, i32),
+    pub(crate) pressed: (i32, i32),
     /// Its place before.
-    pub(super) from: Point<D>,
+    pub(crate) from: Point<D>,
     /// Its place now.
-    pub(super) at: Point<D>,
+    pub(crate) at: Point<D>,
 }
 
 /// Shows places as pixels, and moves them with the mouse.
-pub(super) trait Lens<const D: usize> {
+pub(crate) trait Lens<const D: usize> {
     /// The pixel of a place.
     fn pixel(&self, place: Point<D>) -> (i32, i32);
     /// The place of a held handle when the mouse is at a pixel; `None` for a mere click.
@@ -53,7 +53,7 @@ pub(super) trait Lens<const D: usize> {
 
 /// The field of plane curves: x from 0 to 560 to the right, y from 0 to 380 up.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Field;
+pub(crate) struct Field;
 
 /// The pixel of the field's origin.
 const ORIGIN: (i32, i32) = (41, 450);
@@ -62,7 +62,7 @@ const REACH: Area = Area::new(41, 10, 620, 450);
 
 impl Field {
     /// The place of a pixel.
-    pub(super) fn place(self, (x, y): (i32, i32)) -> Point<2> {
+    pub(crate) fn place(self, (x, y): (i32, i32)) -> Point<2> {
         [f64::from(x - ORIGIN.0), f64::from(ORIGIN.1 - y)]
     }
 }
@@ -186,7 +186,7 @@ fn is_drag((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> bool {
 
 impl Look {
     /// The angles and the zoom as `dump` writes them: azimuth and elevation in degrees.
-    pub(super) fn angles(self) -> [f64; 3] {
+    pub(crate) fn angles(self) -> [f64; 3] {
         [self.view.azimuth().to_degrees(), self.view.elevation().to_degrees(), self.scale()]
     }
 }

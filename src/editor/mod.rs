@@ -4,18 +4,20 @@
 //! `Editor` holds everything common to plane curves, space curves and surfaces: the work loop, dragging, stages,
 //! picture and figure. A `Craft` adds what one kind has of its own. Fourier curves are a table of coefficients and
 //! have their own editor.
+//!
+//! Crafts live here where several programs share one, else with their program.
 
 pub mod curve;
-mod field;
+pub(crate) mod field;
 pub mod fourier;
 pub mod keys;
-mod lens;
+pub(crate) mod lens;
 pub mod net;
-mod picture;
-mod place;
-mod refusal;
-mod seen;
-mod stage;
+pub(crate) mod picture;
+pub(crate) mod place;
+pub(crate) mod refusal;
+pub(crate) mod seen;
+pub(crate) mod stage;
 
 use crate::file::{Document, Format, Method};
 use crate::geometry::{ParamSurface, Point};
@@ -30,7 +32,7 @@ use serde::Serialize;
 use stage::{Shown, Stage};
 
 /// What one kind of editor adds to the common part.
-trait Craft<const D: usize>: Sized + 'static {
+pub(crate) trait Craft<const D: usize>: Sized + 'static {
     /// What is edited, undone and saved: control points and recipe.
     type Value: Clone + PartialEq + 'static;
     /// What the mouse can hold.
@@ -144,21 +146,21 @@ trait Craft<const D: usize>: Sized + 'static {
 }
 
 /// The editor's whole state.
-struct Editor<C: Craft<D>, const D: usize> {
-    craft: C,
-    history: History<C::Value>,
-    lens: C::Lens,
-    held: Option<Held<C::Handle, D>>,
-    shown: Shown,
-    stage: Stage,
+pub(crate) struct Editor<C: Craft<D>, const D: usize> {
+    pub(crate) craft: C,
+    pub(crate) history: History<C::Value>,
+    pub(crate) lens: C::Lens,
+    pub(crate) held: Option<Held<C::Handle, D>>,
+    pub(crate) shown: Shown,
+    pub(crate) stage: Stage,
     /// The remark about a file that was read.
-    remark: Option<Phrase>,
-    manner: Manner,
-    clicks: DoubleClick,
+    pub(crate) remark: Option<Phrase>,
+    pub(crate) manner: Manner,
+    pub(crate) clicks: DoubleClick,
 }
 
 /// Prepares an editor, with or without a document to open.
-fn start<C: Craft<D>, const D: usize>(
+pub(crate) fn start<C: Craft<D>, const D: usize>(
     craft: C,
     manual: Manual,
     document: Option<Document>,
@@ -332,13 +334,13 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
     }
 
     /// The value with the held handle dropped at the mouse.
-    fn preview(&self) -> C::Value {
+    pub(crate) fn preview(&self) -> C::Value {
         let now = self.history.now();
         self.held.map_or_else(|| now.clone(), |held| C::moved(now, held.handle, held.at))
     }
 
     /// Sets parameters. If they have no curve or surface, it says so and keeps them nevertheless.
-    fn reshape(&mut self, desk: &mut Desk<'_>, value: C::Value) {
+    pub(crate) fn reshape(&mut self, desk: &mut Desk<'_>, value: C::Value) {
         self.history.change(value);
         match C::problem(self) {
             Some(problem) => desk.tell(problem, Stay::UntilRead),
@@ -347,7 +349,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
     }
 
     /// Shows the result, without frame and buttons, until Esc.
-    async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
+    pub(crate) async fn show_result(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if !C::begin_result(self, desk).await? {
             return Ok(());
         }

@@ -4,7 +4,7 @@ use crate::design::DesignError;
 use crate::ui::words::{self, Phrase};
 
 /// Why an editor cannot show a curve.
-pub(super) fn of_curve(error: &DesignError) -> Phrase {
+pub(crate) fn of_curve(error: &DesignError) -> Phrase {
     match error {
         DesignError::Outside(number, place) => match place.as_slice() {
             &[x, y] => words::outside_field(*number, [x, y]),
@@ -17,7 +17,7 @@ pub(super) fn of_curve(error: &DesignError) -> Phrase {
 }
 
 /// Why an editor cannot show a surface.
-pub(super) fn of_surface(error: &DesignError) -> Phrase {
+pub(crate) fn of_surface(error: &DesignError) -> Phrase {
     match error {
         DesignError::OtherNet { wanted, found } => words::other_net(*wanted, *found),
         DesignError::NetSize { found, least, most } => words::net_size(*found, *least, *most),

@@ -8,7 +8,7 @@ use crate::geometry::{BoundingBox, Closure, ParamCurve, Point};
 use crate::screen::{Color, Screen, Stroke};
 
 /// A visible item.
-pub(super) enum Item<const D: usize> {
+pub(crate) enum Item<const D: usize> {
     /// A curve with its segments per span, its stroke, and its name in a figure.
     Curve { curve: Box<dyn ParamCurve<D>>, steps: usize, stroke: Stroke, name: Option<Label> },
     /// Where spans join.
@@ -30,14 +30,14 @@ pub(super) enum Item<const D: usize> {
 }
 
 /// The name of a curve, and where along the curve it would best be written.
-pub(super) struct Label {
-    pub(super) name: &'static str,
+pub(crate) struct Label {
+    pub(crate) name: &'static str,
     /// The fraction of the curve: numerator and denominator.
-    pub(super) part: [usize; 2],
+    pub(crate) part: [usize; 2],
 }
 
 /// An item of one editor only.
-pub(super) trait Own<const D: usize> {
+pub(crate) trait Own<const D: usize> {
     fn paint(&self, screen: &mut Screen);
     /// Returns `false` if lines cannot show it.
     fn plot(&self, figure: &mut Figure) -> bool;
@@ -47,12 +47,12 @@ pub(super) trait Own<const D: usize> {
 /// Places along a curve that are tried for its name.
 const NAME_PLACES: usize = 24;
 /// Radius of the disc at the tip of a tangent, of a control point of a result, and of one of a net.
-pub(super) const TIP_RADIUS: i32 = 7;
+pub(crate) const TIP_RADIUS: i32 = 7;
 const DOT_RADIUS: i32 = 4;
 
 impl<const D: usize> Item<D> {
     /// Paints it on the screen.
-    pub(super) fn paint(&self, screen: &mut Screen, lens: &impl Lens<D>) {
+    pub(crate) fn paint(&self, screen: &mut Screen, lens: &impl Lens<D>) {
         match self {
             Item::Curve { curve, steps, stroke, .. } => {
                 // More segments than any screen can show: nothing is painted.
@@ -138,7 +138,7 @@ impl<const D: usize> Item<D> {
 }
 
 /// The items as a figure; `None` without items, or if lines cannot show one of them.
-pub(super) fn figure<const D: usize>(items: &[Item<D>], lens: &impl Lens<D>) -> Option<Figure> {
+pub(crate) fn figure<const D: usize>(items: &[Item<D>], lens: &impl Lens<D>) -> Option<Figure> {
     let mut figure = Figure::new();
     if !items.iter().all(|item| item.plot(&mut figure, lens)) || figure.is_empty() {
         return None;

@@ -2,7 +2,7 @@
 
 /// What the screen shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stage {
+pub(crate) enum Stage {
     /// Before there is a configuration. Before the first one, there are no buttons either.
     Starting { buttons: bool },
     /// Editing.
@@ -19,48 +19,48 @@ pub(super) enum Stage {
 
 impl Stage {
     /// The stage of a program that has just been started.
-    pub(super) const FIRST: Stage = Stage::Starting { buttons: false };
+    pub(crate) const FIRST: Stage = Stage::Starting { buttons: false };
 
     /// The stage before a new configuration; buttons that are shown stay.
-    pub(super) fn restarted(self) -> Stage {
+    pub(crate) fn restarted(self) -> Stage {
         Stage::Starting { buttons: self != Stage::FIRST }
     }
 
     /// Whether there is a configuration to show.
-    pub(super) fn begun(self) -> bool {
+    pub(crate) fn begun(self) -> bool {
         !matches!(self, Stage::Starting { .. })
     }
 
     /// Whether the result is shown.
-    pub(super) fn is_result(self) -> bool {
+    pub(crate) fn is_result(self) -> bool {
         matches!(self, Stage::Result { .. })
     }
 }
 
 /// Whether the curve or surface is in the picture, and when it disappears.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Shown {
+pub(crate) struct Shown {
     /// Whether there is one to show as a result. As in the original, a change by number ends that.
-    pub(super) known: bool,
+    pub(crate) known: bool,
     /// Whether it is in the picture.
-    pub(super) visible: bool,
+    pub(crate) visible: bool,
     /// Whether it stays in the picture and follows changes.
-    pub(super) follow: bool,
+    pub(crate) follow: bool,
 }
 
 impl Shown {
     /// Shows the curve, or none.
-    pub(super) fn take(&mut self, known: bool) {
+    pub(crate) fn take(&mut self, known: bool) {
         (self.known, self.visible) = (known, known);
     }
 
     /// Called after a change: it leaves the picture, unless it follows.
-    pub(super) fn after_change(&mut self) {
+    pub(crate) fn after_change(&mut self) {
         self.visible &= self.follow;
     }
 
     /// Called after a change by number: there is no result any more, unless it follows.
-    pub(super) fn after_edit(&mut self) {
+    pub(crate) fn after_edit(&mut self) {
         if !self.follow {
             self.take(false);
         }

@@ -2,7 +2,10 @@
 
 use super::ec::EcCurve;
 use super::table::{decoded, decoded_table};
-use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints, TableOptions};
+use super::{
+    Document, FileError, Format, KnotPoints, Net, NetKind, Places, PlanePoints, ShapedPoints, SpacePoints,
+    TableOptions,
+};
 use crate::geometry::Topology;
 
 /// Extensions of tables of text that are read; they are written as CSV.
@@ -83,7 +86,9 @@ impl Document {
 
     /// The same content for another DOS format: points of the plane into space with z = 0 and back where
     /// z is 0 everywhere, points with tangents without them, nets of one family under each other's
-    /// names, control points as those of polynomials on [0, 1] (`.KCG`). What cannot become such a document stays as it is; [`Document::write`] will say so.
+    /// names, control points as those of polynomials on [0, 1] (`.KCG`), of uniform cubic B-splines (`.CSM`, `.ALP`), and
+    /// the control points of these alone; Fourier curves as cyclic ones and back. What cannot become such a document
+    /// stays as it is; [`Document::write`] will say so.
     #[must_use]
     pub fn adapted(self, format: Format) -> Self {
         match (self, format) {
@@ -106,6 +111,32 @@ impl Document {
             (Self::SpacePoints(SpacePoints { points, .. }), Format::Kcg) if EcCurve::holds(points.len()) => {
                 EcCurve::of_points(points).into()
             }
+            (Self::PlanePoints(PlanePoints { points, .. }), Format::Csm) => {
+                KnotPoints::of_points(points).into()
+            }
+            (Self::SpacePoints(SpacePoints { points, .. }), Format::Csm) => {
+                KnotPoints::of_points(points).into()
+            }
+            (Self::PlanePoints(PlanePoints { points, .. }), Format::Alp) => {
+                ShapedPoints::of_points(points).into()
+            }
+            (Self::SpacePoints(SpacePoints { points, .. }), Format::Alp) => {
+                ShapedPoints::of_points(points).into()
+            }
+            (Self::Fourier(fourier), Format::Alp) => match ShapedPoints::of_fourier(&fourier) {
+                Some(cyclic) => cyclic.into(),
+                None => Self::Fourier(fourier),
+            },
+            (Self::Shaped(shaped), Format::Gbp) => match shaped.to_fourier() {
+                Some(fourier) => Self::Fourier(Box::new(fourier)),
+                None => Self::Shaped(shaped),
+            },
+            (Self::Knots(knots), Format::Ip2 | Format::Ic2 | Format::Ip3 | Format::Alp) => {
+                Self::of_places(knots.points).adapted(format)
+            }
+            (Self::Shaped(shaped), Format::Ip2 | Format::Ic2 | Format::Ip3 | Format::Csm) => {
+                Self::of_places(shaped.points).adapted(format)
+            }
             (Self::Net(net), _) => Self::Net(match NetKind::of(format) {
                 Some(kind) if net.kind.goes_into(kind) => Net { kind, ..net },
                 // Any net can be that of points whose normals follow from them.
@@ -118,6 +149,27 @@ impl Document {
             }),
             (document, _) => document,
         }
+    }
+}
+
+impl Document {
+    fn of_places(points: Places) -> Self {
+        match points {
+            Places::Plane(points) => Self::PlanePoints(PlanePoints::new(points)),
+            Places::Space(points) => Self::SpacePoints(SpacePoints::new(points)),
+        }
+    }
+}
+
+impl From<KnotPoints> for Document {
+    fn from(knots: KnotPoints) -> Self {
+        Self::Knots(Box::new(knots))
+    }
+}
+
+impl From<ShapedPoints> for Document {
+    fn from(shaped: ShapedPoints) -> Self {
+        Self::Shaped(Box::new(shaped))
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::ec::EcDocument;
 use super::{
-    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, Patches, PlanePoints,
-    RationalSpans, SpacePoints, Tangents, billiards, settings,
+    BeadWheel, Circles, CsangoCube, FileError, FileKind, Format, Fourier, KnotNet, KnotPoints, Net, NetKind,
+    Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet, SpacePoints, Spheres, Tangents, billiards,
+    settings,
 };
 use crate::table::Game;
 
@@ -32,6 +33,18 @@ pub enum Document {
     Rational(Box<RationalSpans>),
     /// `.RBS`: rational Bézier patches, as offsets are written.
     Patches(Box<Patches>),
+    /// `.CSM`: a B-spline curve by its knots.
+    Knots(Box<KnotPoints>),
+    /// `.CSF`: a B-spline surface by its knots.
+    KnotNet(Box<KnotNet>),
+    /// `.ALP`: a curve with shape parameters.
+    Shaped(Box<ShapedPoints>),
+    /// `.SOM`: the neurons of a net.
+    Som(Box<SomNet>),
+    /// `.KOR`: circles of the plane.
+    Circles(Box<Circles>),
+    /// `.GOM`: spheres.
+    Spheres(Box<Spheres>),
 }
 
 impl Document {
@@ -107,6 +120,12 @@ impl Document {
             Self::Ec(document) => document.format(),
             Self::Rational(_) => Format::Rbc,
             Self::Patches(_) => Format::Rbs,
+            Self::Knots(_) => Format::Csm,
+            Self::KnotNet(_) => Format::Csf,
+            Self::Shaped(_) => Format::Alp,
+            Self::Som(_) => Format::Som,
+            Self::Circles(_) => Format::Kor,
+            Self::Spheres(_) => Format::Gom,
         }
     }
 
@@ -128,6 +147,12 @@ impl Document {
             Self::Ec(document) => document.check(),
             Self::Rational(spans) => spans.check(),
             Self::Patches(patches) => patches.check(),
+            Self::Knots(knots) => knots.check(),
+            Self::KnotNet(net) => net.check(),
+            Self::Shaped(shaped) => shaped.check(),
+            Self::Som(net) => net.check(),
+            Self::Circles(circles) => circles.check(),
+            Self::Spheres(spheres) => spheres.check(),
         }
     }
 
@@ -146,6 +171,12 @@ impl Document {
             Self::Ec(document) => document.describe(),
             Self::Rational(spans) => spans.describe(),
             Self::Patches(patches) => patches.describe(),
+            Self::Knots(knots) => knots.describe(),
+            Self::KnotNet(net) => net.describe(),
+            Self::Shaped(shaped) => shaped.describe(),
+            Self::Som(net) => net.describe(),
+            Self::Circles(circles) => circles.describe(),
+            Self::Spheres(spheres) => spheres.describe(),
         }
     }
 
@@ -156,14 +187,7 @@ impl Document {
             Self::PlanePoints(points) => settings::given(&points.settings),
             Self::SpacePoints(points) => settings::given(&points.settings),
             Self::Net(net) => settings::given(&net.settings),
-            Self::Tangents(_)
-            | Self::Fourier(_)
-            | Self::BeadWheel(_)
-            | Self::CsangoCube(_)
-            | Self::Billiards(_)
-            | Self::Ec(_)
-            | Self::Rational(_)
-            | Self::Patches(_) => Vec::new(),
+            _ => Vec::new(),
         }
     }
 
@@ -174,14 +198,7 @@ impl Document {
             Self::PlanePoints(points) => points.settings = Default::default(),
             Self::SpacePoints(points) => points.settings = Default::default(),
             Self::Net(net) => net.settings = Default::default(),
-            Self::Tangents(_)
-            | Self::Fourier(_)
-            | Self::BeadWheel(_)
-            | Self::CsangoCube(_)
-            | Self::Billiards(_)
-            | Self::Ec(_)
-            | Self::Rational(_)
-            | Self::Patches(_) => {}
+            _ => {}
         }
         self
     }

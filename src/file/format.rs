@@ -32,6 +32,12 @@ pub enum Format {
     Rbc,
     Pn,
     Rbs,
+    Csm,
+    Csf,
+    Alp,
+    Som,
+    Kor,
+    Gom,
 }
 
 /// One row of the table.
@@ -85,6 +91,12 @@ rows! {
     Rbc "RBC" None, "rational curve of the plane" "síkbeli racionális görbe";
     Pn "PN" None, "net of points with normals" "pontok hálója normálisokkal";
     Rbs "RBS" None, "rational Bézier patches" "racionális Bézier-foltok";
+    Csm "CSM" None, "B-spline curve by its knots" "B-spline görbe a csomóival";
+    Csf "CSF" None, "B-spline surface by its knots" "B-spline felület a csomóival";
+    Alp "ALP" None, "curve with shape parameters" "alakparaméteres görbe";
+    Som "SOM" None, "net of neurons" "neuronháló";
+    Kor "KOR" None, "circles with a skin" "körök burkolóval";
+    Gom "GOM" None, "spheres with a skin" "gömbök burkolóval";
 }
 
 impl Format {
@@ -167,7 +179,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Rbs as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Gom as usize + 1, Format::ALL.len());
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Four rows a, p, b, q of 21 6-byte reals, columns k = 0..20; p0 and q0 are not used.
 
 use super::{FileError, Format, check};
+use crate::geometry::{self, GeometryError, Wave};
 use crate::pascal::{Reader, Writer};
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +26,34 @@ pub struct Fourier {
 }
 
 impl Fourier {
+    /// The curve (2.8).
+    ///
+    /// # Errors
+    /// [`GeometryError::Coefficient`] and [`GeometryError::Overflow`].
+    pub fn curve(&self) -> Result<geometry::Fourier<2>, GeometryError> {
+        let wave =
+            |a: &[f64; HARMONICS], p: &[f64; HARMONICS], k: usize| Wave { amplitude: a[k], phase: p[k] };
+        let rows = (1..HARMONICS).map(|k| [wave(&self.a, &self.p, k), wave(&self.b, &self.q, k)]);
+        geometry::Fourier::new([self.a[0], self.b[0]], &rows.collect::<Vec<_>>())
+    }
+
+    /// The coefficients of a curve, without harmonics that no file can hold. Amplitudes that are only rounding errors
+    /// become 0, with phase 0.
+    #[must_use]
+    pub fn of_curve(curve: &geometry::Fourier<2>) -> Self {
+        /// Pixels.
+        const NOTHING: f64 = 1e-9;
+        let [x, y] = curve.offset();
+        let mut fourier = Self::default();
+        (fourier.a[0], fourier.b[0]) = (x, y);
+        for (k, row) in (1..HARMONICS).zip(curve.waves()) {
+            let [x, y] = row.map(|wave| if wave.amplitude < NOTHING { Wave::default() } else { wave });
+            (fourier.a[k], fourier.p[k], fourier.b[k], fourier.q[k]) =
+                (x.amplitude, x.phase, y.amplitude, y.phase);
+        }
+        fourier
+    }
+
     fn rows(&self) -> [(&'static str, &[f64; HARMONICS]); 4] {
         [("a", &self.a), ("p", &self.p), ("b", &self.b), ("q", &self.q)]
     }

@@ -71,6 +71,12 @@ impl Document {
             Format::Kcj => fields(text).map(EcDocument::Scene).map(Self::from),
             Format::Rbc => fields(text).map(Box::new).map(Self::Rational),
             Format::Rbs => fields(text).map(Box::new).map(Self::Patches),
+            Format::Csm => fields(text).map(Box::new).map(Self::Knots),
+            Format::Csf => fields(text).map(Box::new).map(Self::KnotNet),
+            Format::Alp => fields(text).map(Box::new).map(Self::Shaped),
+            Format::Som => fields(text).map(Box::new).map(Self::Som),
+            Format::Kor => fields(text).map(Box::new).map(Self::Circles),
+            Format::Gom => fields(text).map(Box::new).map(Self::Spheres),
             _ => fields(text).map(|net: Net| {
                 // Every format that is left has a kind of net.
                 Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
@@ -99,6 +105,12 @@ impl Document {
             Self::Ec(value) => value.written(),
             Self::Rational(value) => tagged(format, value.as_ref()),
             Self::Patches(value) => tagged(format, value.as_ref()),
+            Self::Knots(value) => tagged(format, value.as_ref()),
+            Self::KnotNet(value) => tagged(format, value.as_ref()),
+            Self::Shaped(value) => tagged(format, value.as_ref()),
+            Self::Som(value) => tagged(format, value.as_ref()),
+            Self::Circles(value) => tagged(format, value.as_ref()),
+            Self::Spheres(value) => tagged(format, value.as_ref()),
         };
         compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
     }

@@ -84,6 +84,7 @@ fn implied(document: &Document, format: Format) -> Option<Method> {
 /// The names of what belongs to control points besides their coordinates.
 fn extras(document: &Document) -> Vec<String> {
     let mut extras = document.settings();
+    extras.extend(design::without_points(document));
     if let Document::PlanePoints(plane) = document {
         extras.extend(plane.tangents.iter().map(|_| "tangents".to_owned()));
         extras.extend(plane.joints.iter().map(|_| "joints".to_owned()));

@@ -70,7 +70,11 @@ impl CurveArgs {
                 let common = Common { method: self.named(), k0, bias, tension };
                 Design::Net(self.surface.net(net, common)?)
             }
-            design @ (Design::Ec(_) | Design::Patches(_)) => {
+            design @ (Design::Ec(_)
+            | Design::Patches(_)
+            | Design::Knots(_)
+            | Design::KnotNet(_)
+            | Design::Shaped(_)) => {
                 let given = [
                     ("--method", self.method.is_some()),
                     ("--closed", self.closed),
@@ -157,9 +161,12 @@ impl CurveArgs {
 /// Why a file describes no curve or surface: what the command line can mend is a matter of usage.
 pub(crate) fn failure(name: &str, error: &DesignError) -> Failure {
     match error {
-        DesignError::Geometry(_) | DesignError::Ec { .. } | DesignError::NoMatrix | DesignError::NoShape => {
-            Failure::work(format!("{name}: {error}"))
-        }
+        DesignError::Geometry(_)
+        | DesignError::Knots(_)
+        | DesignError::Unfinished { .. }
+        | DesignError::Ec { .. }
+        | DesignError::NoMatrix
+        | DesignError::NoShape => Failure::work(format!("{name}: {error}")),
         _ => Failure::usage(error),
     }
 }

@@ -20,7 +20,13 @@ impl PhShape {
             Design::Plane(sketch) => sketch.ph_curve().map(PhShape::Plane),
             Design::Space(sketch) => sketch.space_ph_curve().map(PhShape::Space),
             Design::Fourier(_) => Err(DesignError::NoPh(Method::Fourier)),
-            Design::Net(_) | Design::Ec(_) | Design::Rational(_) | Design::Patches(_) => {
+            Design::Net(_)
+            | Design::Ec(_)
+            | Design::Rational(_)
+            | Design::Patches(_)
+            | Design::Knots(_)
+            | Design::KnotNet(_)
+            | Design::Shaped(_) => {
                 return Err(Failure::usage(format!("{name} holds no control points of a PH curve")));
             }
         };

@@ -1,7 +1,6 @@
 //! Fitting the coefficients to the control points of a stored plane curve.
 
 use super::{Editor, layout};
-use crate::design::fourier::{coefficients, curve};
 use crate::file::{Document, Format, Fourier, HARMONICS, PlanePoints};
 use crate::geometry::{self, BoundingBox, ClosedPath, CubicBezier, Deviation, GeometryError, Point};
 use crate::machine::Asked;
@@ -60,12 +59,12 @@ impl Target {
 
     /// The curve of so many harmonics nearest to the target.
     fn fit(&self, harmonics: usize) -> Result<Fourier, GeometryError> {
-        geometry::Fourier::fit(&self.path, harmonics).map(|curve| coefficients(&curve))
+        geometry::Fourier::fit(&self.path, harmonics).map(|curve| Fourier::of_curve(&curve))
     }
 
     /// How far a curve is from the target, in pixels at equal parameters.
     pub(super) fn deviation(&self, fourier: &Fourier) -> Option<Deviation> {
-        curve(fourier).and_then(|curve| curve.deviation(&self.path, STEPS)).ok()
+        fourier.curve().and_then(|curve| curve.deviation(&self.path, STEPS)).ok()
     }
 }
 

@@ -6,8 +6,6 @@ mod fitting;
 mod layout;
 mod picture;
 
-pub use crate::design::fourier::{coefficients, curve};
-
 use super::keys::{QUIT, SAVE, UNDO};
 use crate::design::fourier::{Coefficient, Column};
 use crate::file::{Document, Format, Fourier};
@@ -127,7 +125,7 @@ fn coefficients_of(document: &Document) -> Result<Fourier, Phrase> {
     let Document::Fourier(fourier) = document else {
         return Err(words::NO_COEFFICIENTS.into());
     };
-    curve(fourier).map_err(|error| Phrase::plain(&error))?;
+    fourier.curve().map_err(|error| Phrase::plain(&error))?;
     Ok(Fourier::clone(fourier))
 }
 

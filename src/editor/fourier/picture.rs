@@ -1,7 +1,7 @@
 //! Draws the Fourier editor.
 
 use super::{COMMANDS, Editor, Stage, layout};
-use crate::design::fourier::{Coefficient, Column, curve};
+use crate::design::fourier::{Coefficient, Column};
 use crate::figure::{CURVE_INK, Figure};
 use crate::file::Fourier;
 use crate::geometry::ParamCurve;
@@ -33,7 +33,7 @@ impl Picture for Editor {
     }
 
     fn figure(&self) -> Option<Figure> {
-        let curve = curve(self.shown()?).ok()?;
+        let curve = self.shown()?.curve().ok()?;
         let mut figure = Figure::new();
         if let Some(target) = &self.target {
             figure.plot_target(&target.path.arcs().to_vec()).ok()?;
@@ -71,7 +71,7 @@ impl Editor {
             screen.polyline(&target.outline, Stroke::thin(Color::LightRed));
         }
         // Coefficients without a curve are refused when a file is opened and cannot be typed.
-        if let Ok(points) = curve(fourier).and_then(|curve| curve.polyline(STEPS)) {
+        if let Ok(points) = fourier.curve().and_then(|curve| curve.polyline(STEPS)) {
             let pixels: Vec<_> = points.into_iter().map(layout::to_screen).collect();
             screen.polyline(&pixels, Stroke::thick(Color::White));
         }

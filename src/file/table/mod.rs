@@ -23,7 +23,7 @@ pub use options::{Columns, Decimal, Delimiter, TableOptions};
 pub(super) use text::{decoded, decoded_table};
 
 use super::ec::EcDocument;
-use super::{Document, FileError, PlanePoints, SpacePoints, check};
+use super::{Document, FileError, Places, PlanePoints, SpacePoints, check};
 use read::{Refusal, Stage, Table};
 use text::Lines;
 
@@ -128,6 +128,8 @@ impl Document {
                 EcDocument::Curve(curve) => Ok(written(SPACE_HEADER, &curve.points)),
                 _ => Err(misfit(self.format().english())),
             },
+            Self::Knots(knots) => Ok(written_places(&knots.points)),
+            Self::Shaped(shaped) => Ok(written_places(&shaped.points)),
             Self::PlanePoints(PlanePoints { tangents: Some(_), .. })
             | Self::SpacePoints(SpacePoints { tangents: Some(_), .. }) => Err(misfit("tangents")),
             Self::PlanePoints(PlanePoints { joints: Some(_), .. }) => Err(misfit("shapes of joints")),
@@ -142,6 +144,13 @@ impl Document {
             3 => Self::SpacePoints(SpacePoints::new(points)),
             _ => Self::PlanePoints(PlanePoints::new(points.into_iter().map(|[x, y, _]| [x, y]).collect())),
         }
+    }
+}
+
+fn written_places(points: &Places) -> String {
+    match points {
+        Places::Plane(points) => written(PLANE_HEADER, points),
+        Places::Space(points) => written(SPACE_HEADER, points),
     }
 }
 

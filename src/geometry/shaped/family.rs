@@ -91,7 +91,10 @@ impl Family {
     }
 
     /// The check of the parameters that are fields, for a number of control points.
-    pub(super) fn check(&self, points: usize) -> Result<(), GeometryError> {
+    ///
+    /// # Errors
+    /// [`GeometryError::Parameter`] for a value out of range, or lambdas of another number than points.
+    pub fn check(&self, points: usize) -> Result<(), GeometryError> {
         let bad = |name, value, wanted| Err(GeometryError::Parameter { name, value, wanted });
         match self {
             Self::FBezier { omega } | Self::FBSpline { omega } if !(OMEGA[0]..=OMEGA[1]).contains(omega) => {
