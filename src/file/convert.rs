@@ -153,7 +153,8 @@ impl Document {
 }
 
 impl Document {
-    fn of_places(points: Places) -> Self {
+    /// Control points of the plane or in space.
+    pub(super) fn of_places(points: Places) -> Self {
         match points {
             Places::Plane(points) => Self::PlanePoints(PlanePoints::new(points)),
             Places::Space(points) => Self::SpacePoints(SpacePoints::new(points)),

@@ -4,7 +4,7 @@
 //! type. Fields that may be missing are left out; unknown ones are an error. A plain list is read as points.
 
 use super::ec::EcDocument;
-use super::{Document, FileError, Format, Net, NetKind, TableOptions, json_points, json_text};
+use super::{Document, FileError, Format, Net, NetKind, Places, TableOptions, json_points, json_text};
 use serde::de::{self, DeserializeOwned, IntoDeserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -45,6 +45,13 @@ impl Document {
         let other = !text.trim_start().starts_with('{') && !text.trim().is_empty();
         let Head { format, balls } = if other { Head::default() } else { parse(text)? };
         let Some(format) = format.or_else(|| balls.map(|_| Format::Bil.extension().to_owned())) else {
+            if let Ok(Bare { points }) = parse::<Bare>(text)
+                && !points.is_empty()
+            {
+                let document = Self::of_places(points);
+                document.check()?;
+                return Ok(document);
+            }
             return Err(FileError::Text {
                 line: 1,
                 place: String::new(),
@@ -122,6 +129,13 @@ struct Head {
     format: Option<String>,
     /// Games of billiards were saved without their format once.
     balls: Option<de::IgnoredAny>,
+}
+
+/// Points under their name, and nothing else.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Bare {
+    points: Places,
 }
 
 impl EcDocument {

@@ -1,17 +1,21 @@
 //! `grafika`: the menu and the command line over all programs.
 
+mod at;
 mod config;
 mod convert;
 mod curve;
 mod ec;
+mod knots;
 mod measure;
 mod normals;
+mod numbers;
 mod offset;
 mod ph;
 mod poly;
 mod reference;
 mod render;
 mod sample;
+mod shape;
 mod smooth;
 mod solve;
 mod source;
@@ -94,6 +98,10 @@ enum Command {
     Split(ec::Split),
     /// Make control points from the coefficients of an exact description
     Exact(ec::Exact),
+    /// What becomes of a B-spline when knots move; knots that bring it through a point
+    Knots(knots::Knots),
+    /// What becomes of a curve when shape parameters change; those that bring it through points
+    Shape(shape::Shape),
     /// Install programs with their samples into a folder, on a page of text or as a plain command
     #[command(after_help = Install::examples("grafika install"))]
     Install(Install),
@@ -145,6 +153,8 @@ fn run() -> Result<(), Failure> {
         Some(Command::Elevate(elevate)) => elevate.run(),
         Some(Command::Split(split)) => split.run(),
         Some(Command::Exact(exact)) => exact.run(),
+        Some(Command::Knots(knots)) => knots.run(),
+        Some(Command::Shape(shape)) => shape.run(),
         Some(Command::Install(install)) => install.run(),
         Some(Command::Config(config)) => config.run(),
         Some(Command::Completions(completions)) => completions.run(),

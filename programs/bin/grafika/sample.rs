@@ -1,7 +1,9 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
+use crate::at;
 use crate::curve::CurveArgs;
 use crate::normals;
+use crate::numbers::Numbers;
 use crate::ph::PhShape;
 use crate::source::is_stream;
 use clap::Args;
@@ -38,6 +40,9 @@ pub(crate) struct Sample {
     #[arg(long, value_name = "N", conflicts_with_all = ["derivatives", "per_span"],
         value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     uniform: Option<u32>,
+    /// Points at these parameters: by the knots of a .CSM curve, by the position of an .ALP curve, else by span + u
+    #[arg(long, value_name = "U,...", allow_hyphen_values = true, conflicts_with_all = ["per_span", "uniform", "quantities"])]
+    at: Option<Numbers>,
     /// Which items of a scene that has both
     #[arg(long, value_name = "KIND")]
     items: Option<Items>,
@@ -64,8 +69,22 @@ impl Sample {
             let text = self.exact(&design, &name)?;
             return write_output(self.output.as_deref(), text.as_bytes());
         }
-        let (_, shape) = self.curve.shape()?;
+        let (design, shape) = self.curve.shape()?;
+        let derivatives = usize::from(self.derivatives);
         let alive = progress::alive("sampling");
+        let own = match &self.at {
+            Some(Numbers(at)) => Some(at::rows(&design, &shape, at, derivatives)?),
+            None => at::steps(&design, self.per_span.unwrap_or(50) as usize, derivatives)?,
+        };
+        if let Some(own) = own {
+            let header: Vec<&str> = own.header.iter().map(String::as_str).collect();
+            let text = self.table(
+                &own.rows,
+                |rows| quantity_csv(&header, rows),
+                |rows| quantity_json(&header, 0, rows),
+            )?;
+            return write_output(self.output.as_deref(), text.as_bytes());
+        }
         let text = match shape {
             Shape::Plane(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
             Shape::Space(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),

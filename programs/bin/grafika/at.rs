@@ -1,0 +1,117 @@
+//! Points of a curve at given parameters, and of curves by their knots at equal steps of their own parameter.
+
+use grafika::design::{Design, DesignError, Shape, knots, shaped};
+use grafika::file::{FamilyName, ShapedPoints};
+use grafika::geometry::knots::{KnotCurve, KnotError};
+use grafika::geometry::shaped::ShapedCurve;
+use grafika::geometry::{ParamCurve, Point};
+use grafika::launch::Failure;
+use std::f64::consts::TAU;
+
+/// Rows of numbers below the names of their columns.
+pub(crate) struct Rows {
+    pub(crate) header: Vec<String>,
+    pub(crate) rows: Vec<Vec<Option<f64>>>,
+}
+
+/// Points with so many derivatives at these parameters: by the knots of a curve that has some, by the position of a curve
+/// with shape parameters, else by span + u.
+pub(crate) fn rows(design: &Design, shape: &Shape, at: &[f64], derivatives: usize) -> Result<Rows, Failure> {
+    match design {
+        Design::Knots(document) => match knots::curve(document).map_err(Failure::work)? {
+            knots::Curve::Plane(curve) => table(at, derivatives, |u| by_knots(&curve, u, derivatives)),
+            knots::Curve::Space(curve) => table(at, derivatives, |u| by_knots(&curve, u, derivatives)),
+        },
+        Design::Shaped(document) => match shaped::curve(document).map_err(Failure::work)? {
+            shaped::Curve::Plane(curve) => table(at, derivatives, |u| by_position(document, &curve, u)),
+            shaped::Curve::Space(curve) => table(at, derivatives, |u| by_position(document, &curve, u)),
+        },
+        _ => match shape {
+            Shape::Plane(curve) => table(at, derivatives, |u| by_span(&**curve, u)),
+            Shape::Space(curve) => table(at, derivatives, |u| by_span(&**curve, u)),
+            Shape::Surface(_) | Shape::Parts(_) => {
+                Err(Failure::usage("--at is for single curves; this file holds something else"))
+            }
+        },
+    }
+}
+
+/// Equal steps in every span of a curve by its knots; `None` for other curves, whose spans have a parameter of their own.
+pub(crate) fn steps(design: &Design, per_span: usize, derivatives: usize) -> Result<Option<Rows>, Failure> {
+    let Design::Knots(document) = design else { return Ok(None) };
+    match knots::curve(document).map_err(Failure::work)? {
+        knots::Curve::Plane(curve) => spans(&curve, per_span, derivatives).map(Some),
+        knots::Curve::Space(curve) => spans(&curve, per_span, derivatives).map(Some),
+    }
+}
+
+fn spans<const D: usize>(curve: &KnotCurve<D>, per_span: usize, derivatives: usize) -> Result<Rows, Failure> {
+    let (vector, knots) = (curve.vector(), curve.vector().knots());
+    let part = |span: usize, k: usize| {
+        let t = k as f64 / per_span as f64;
+        (1.0 - t) * knots[span] + t * knots[span + 1]
+    };
+    let inner = vector.filled_spans().iter().flat_map(|&span| (0..per_span).map(move |k| (span, k)));
+    let at: Vec<f64> =
+        inner.map(|(span, k)| part(span, k)).chain(std::iter::once(vector.domain()[1])).collect();
+    table(&at, derivatives, |u| by_knots(curve, u, derivatives))
+}
+
+fn table<const D: usize>(
+    at: &[f64],
+    derivatives: usize,
+    row: impl Fn(f64) -> Result<Vec<Point<D>>, Failure>,
+) -> Result<Rows, Failure> {
+    let axes = ["x", "y", "z"];
+    let orders = ["", "d", "dd"].into_iter().take(derivatives + 1);
+    let columns = orders.flat_map(|order| axes.iter().take(D).map(move |axis| format!("{order}{axis}")));
+    let header = std::iter::once("u".to_owned()).chain(columns).collect();
+    let numbers = |&u: &f64| {
+        let points = row(u)?.into_iter().take(derivatives + 1).flatten();
+        Ok(std::iter::once(u).chain(points).map(Some).collect())
+    };
+    let rows = at.iter().map(numbers).collect::<Result<_, Failure>>()?;
+    Ok(Rows { header, rows })
+}
+
+fn by_knots<const D: usize>(
+    curve: &KnotCurve<D>,
+    u: f64,
+    derivatives: usize,
+) -> Result<Vec<Point<D>>, Failure> {
+    let range = curve.vector().domain();
+    curve
+        .derivatives(u, derivatives)
+        .ok_or_else(|| Failure::work(DesignError::from(KnotError::Outside { name: "u", value: u, range })))
+}
+
+/// The range of positions of a curve with shape parameters.
+pub(crate) fn positions<const D: usize>(curve: &ShapedCurve<D>, family: FamilyName) -> [f64; 2] {
+    [0.0, if family == FamilyName::Cyclic { TAU } else { curve.spans() as f64 }]
+}
+
+fn by_position<const D: usize>(
+    document: &ShapedPoints,
+    curve: &ShapedCurve<D>,
+    position: f64,
+) -> Result<Vec<Point<D>>, Failure> {
+    let range = positions(curve, document.family);
+    let outside = || Failure::work(KnotError::Outside { name: "the position", value: position, range });
+    if !(range[0]..=range[1]).contains(&position) {
+        return Err(outside());
+    }
+    let (span, x) = curve.basis().place(position);
+    // Spans a unit of the position.
+    let scale = curve.spans() as f64 / range[1];
+    let [point, first, second] = curve.at(span, x).ok_or_else(outside)?;
+    Ok(vec![point, first.map(|x| x * scale), second.map(|x| x * scale * scale)])
+}
+
+fn by_span<const D: usize>(curve: &dyn ParamCurve<D>, u: f64) -> Result<Vec<Point<D>>, Failure> {
+    let spans = curve.spans();
+    let range = [0.0, spans as f64];
+    let inside = (range[0]..=range[1]).contains(&u);
+    let span = if inside { (u as usize).min(spans.saturating_sub(1)) } else { spans };
+    let outside = || Failure::work(KnotError::Outside { name: "u", value: u, range });
+    curve.at(span, u - span as f64).map(|all| all.to_vec()).ok_or_else(outside)
+}
