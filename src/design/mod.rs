@@ -24,11 +24,11 @@ pub use sketch::Sketch;
 
 use crate::file::ec::EcDocument;
 use crate::file::{
-    CurveSettings, Document, FamilyName, Format, KnotNet, KnotPoints, Method, NetSettings, Patches,
+    CurveSettings, Document, FamilyName, Format, KnotNet, KnotPoints, Method, NetSettings, Patches, Places,
     RationalSpans, ShapedPoints, SpacePoints,
 };
 use crate::geometry::ph::Knots;
-use crate::geometry::{Closure, ParamCurve, ParamSurface};
+use crate::geometry::{Closure, ParamCurve, ParamSurface, Point};
 
 /// What a document describes.
 #[derive(Debug)]
@@ -118,6 +118,35 @@ impl Design {
                 shaped::Curve::Space(curve) => Shape::Space(Box::new(curve)),
             },
         })
+    }
+}
+
+/// The control points of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Controls {
+    /// Of the plane.
+    Plane(Vec<Point<2>>),
+    /// In space.
+    Space(Vec<Point<3>>),
+    /// It has none, or is no curve.
+    None,
+}
+
+impl Design {
+    /// The control points of a single curve.
+    #[must_use]
+    pub fn controls(&self) -> Controls {
+        let places = match self {
+            Design::Plane(sketch) => return Controls::Plane(sketch.points.clone()),
+            Design::Space(sketch) => return Controls::Space(sketch.points.clone()),
+            Design::Knots(knots) => &knots.points,
+            Design::Shaped(shaped) => &shaped.points,
+            _ => return Controls::None,
+        };
+        match places {
+            Places::Plane(points) => Controls::Plane(points.clone()),
+            Places::Space(points) => Controls::Space(points.clone()),
+        }
     }
 }
 

@@ -8,14 +8,14 @@ use crate::sample::{SURFACE_STEPS, extension};
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::offset::curve as curve_of;
-use grafika::design::{Design, NetDesign, Shape, Sketch};
+use grafika::design::{Controls, Design, NetDesign, Shape, knots, shaped};
 use grafika::figure::{
     Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, MODEL_TOLERANCE, ModelFormat, ModelOptions,
     NOMINAL_WIDTH, OFFSET_INK, SMALLEST_WIDTH, StepCurve, closure, curves_step, print_ink,
 };
 use grafika::file::ec::{EcCurve, EcDocument, Item};
 use grafika::file::{Method, SPACE_VIEW};
-use grafika::geometry::ph::{Offset, PhCurve, RationalCurve};
+use grafika::geometry::ph::{Offset, PhCurve, RationalArc, RationalCurve};
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
@@ -110,13 +110,24 @@ impl Render {
             let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
             return self.model(&std::iter::once(&*solid).chain(offsets).collect::<Vec<_>>(), format);
         }
-        if let (Design::Patches(_), Shape::Surface(surface)) = (&design, shape) {
+        if let (Design::Patches(_) | Design::KnotNet(_), Shape::Surface(surface)) = (&design, shape) {
             if format.is_model() {
                 self.check_model()?;
                 return self.model(&[&**surface], format);
             }
             let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-            return self.picture(&self.wires(&[&**surface], SPACE_VIEW, steps)?.0, format);
+            let (mut figure, view, bounds) = self.wires(&[&**surface], SPACE_VIEW, steps)?;
+            if let Design::KnotNet(net) = &design {
+                self.plot_net(&mut figure, &net.points, &view);
+            }
+            self.measure(&mut figure, view, [bounds, None]);
+            return self.picture(&figure, format);
+        }
+        if format == Format::Step
+            && let Some(curve) = self.step_curve(&design, shape)?
+        {
+            self.check_model()?;
+            return self.step(&[curve]);
         }
         if self.tolerance.is_some() && format != Format::Step {
             return Err(Failure::usage("--tolerance is for .step"));
@@ -136,8 +147,8 @@ impl Render {
                 "--view is for space curves and surfaces; this file holds a curve of the plane",
             ));
         }
-        let figure = match (design, shape) {
-            (Design::Space(Sketch { points, .. }), Shape::Space(curve)) => {
+        let figure = match (design.controls(), shape) {
+            (Controls::Space(points), Shape::Space(curve)) => {
                 let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
                 let bounds = [BoundingBox::of_points(&points), curve.bounding_box()];
                 let places: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
@@ -147,8 +158,8 @@ impl Render {
                 self.measure(&mut figure, view, bounds);
                 figure
             }
-            (design, Shape::Plane(curve)) => {
-                let points = if let Design::Plane(sketch) = design { sketch.points } else { Vec::new() };
+            (controls, Shape::Plane(curve)) => {
+                let points = if let Controls::Plane(points) = controls { points } else { Vec::new() };
                 self.figure(&points, closure(&**curve), |figure| figure.plot_curve(&**curve, CURVE_INK))?
             }
             // A design has a shape of its own kind.
@@ -220,10 +231,7 @@ impl Render {
             };
             let step = |offset: &Offset| StepCurve { arcs: offset.arcs(), closed: offset.closed() };
             let curves: Vec<StepCurve> = std::iter::once(first).chain(offsets.iter().map(step)).collect();
-            let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
-            return curves_step(&curves, &name.unwrap_or_default())
-                .map(String::into_bytes)
-                .map_err(Failure::work);
+            return self.step(&curves);
         }
         if format.is_model() {
             let message =
@@ -251,6 +259,72 @@ impl Render {
             figure.plot_points(points);
         }
         self.picture(&figure, format)
+    }
+
+    /// Curves of the plane for CAD programs.
+    fn step(&self, curves: &[StepCurve]) -> Result<Vec<u8>, Failure> {
+        let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
+        curves_step(curves, &name.unwrap_or_default()).map(String::into_bytes).map_err(Failure::work)
+    }
+
+    /// A curve of the plane by its knots or with shape parameters, exactly where it is rational, else by cubic arcs within
+    /// the tolerance, which is told.
+    fn step_curve(&self, design: &Design, shape: &Shape) -> Result<Option<StepCurve>, Failure> {
+        let weighted = |points: &[Point<2>], weights: &[f64]| {
+            let point = |(&[x, y], &w): (&Point<2>, &f64)| [x * w, y * w, w];
+            RationalArc::new(points.iter().zip(weights).map(point).collect())
+        };
+        let plain = |points: &[Point<2>]| weighted(points, &vec![1.0; points.len()]);
+        let Shape::Plane(curve) = shape else { return Ok(None) };
+        let exact = match design {
+            Design::Knots(document) => match knots::curve(document).map_err(Failure::work)? {
+                knots::Curve::Plane(curve) => {
+                    Some(curve.arcs().iter().map(|arc| weighted(&arc.points, &arc.weights)).collect())
+                }
+                knots::Curve::Space(_) => None,
+            },
+            Design::Shaped(document) => match shaped::curve(document).map_err(Failure::work)? {
+                shaped::Curve::Plane(curve) => {
+                    curve.bezier_arcs().map(|arcs| arcs.iter().map(|arc| plain(arc)).collect())
+                }
+                shaped::Curve::Space(_) => None,
+            },
+            _ => return Ok(None),
+        };
+        if exact.is_some() && self.tolerance.is_some() {
+            return Err(Failure::usage(
+                "--tolerance is for curves that are fitted; .step holds this one exactly",
+            ));
+        }
+        let arcs = match exact {
+            Some(arcs) => arcs,
+            None => {
+                let size = curve.bounding_box().map_or(1.0, |bounds| bounds.extent());
+                let tolerance = self.tolerance.unwrap_or(MODEL_TOLERANCE) * size;
+                let arcs = curve.to_cubics(tolerance).map_err(Failure::work)?;
+                say("grafika", &format!("fitted by {} cubic arcs within {tolerance:e}", arcs.len()));
+                arcs.iter().map(|arc| plain(&arc.p)).collect()
+            }
+        };
+        Ok(Some(StepCurve { arcs, closed: curve.closed() }))
+    }
+
+    /// The lines and points of a net over a surface.
+    fn plot_net(&self, figure: &mut Figure, net: &[Vec<Point<3>>], view: &View) {
+        let place = |&point: &Point<3>| view.place(point);
+        if self.polygon {
+            let columns = net.first().map_or(0, Vec::len);
+            let across = (0..columns).map(|l| net.iter().filter_map(|row| row.get(l)).map(place).collect());
+            let along = net.iter().map(|row| row.iter().map(place).collect());
+            along.chain(across).for_each(|line: Vec<Point<2>>| figure.plot_polygon(line, Closure::Open));
+        }
+        if self.points {
+            for (k, row) in net.iter().enumerate() {
+                for (l, point) in row.iter().enumerate() {
+                    figure.plot_point(place(point), Some(format!("{k},{l}")));
+                }
+            }
+        }
     }
 
     /// Options that a model has no place for.

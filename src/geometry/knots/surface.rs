@@ -4,7 +4,7 @@ use super::envelope::{envelope_knots, envelope_order};
 use super::local::Hom;
 use super::{KnotCurve, KnotError, KnotVector};
 use crate::geometry::point::check_points;
-use crate::geometry::{Basis, Derivatives, GeometryError, ParamSurface, Point};
+use crate::geometry::{BSplineSurface, Basis, Derivatives, GeometryError, ParamSurface, Point};
 
 /// A surface over two knot vectors. Row `k` of the net counts along `u`, point `l` of it along `v`.
 #[derive(Clone, Debug, PartialEq)]
@@ -192,5 +192,75 @@ impl ParamSurface for KnotSurface {
             uv: over([1, 1], &[(1.0, [1, 0], v), (1.0, [0, 1], u), (1.0, [1, 1], point)]),
             vv: over([0, 2], &[(2.0, [0, 1], v), (1.0, [0, 2], point)]),
         })
+    }
+
+    /// The surface itself, its knots clamped; `None` for a closed one and for one with a gap.
+    fn to_bspline(&self) -> Option<BSplineSurface> {
+        let clamped = self.clamped().ok()?;
+        let counted = [0, 1].map(|d| {
+            let mut knots: Vec<(f64, usize)> = Vec::new();
+            for &knot in clamped.vectors[d].knots() {
+                match knots.last_mut() {
+                    Some((last, count)) if *last == knot => *count += 1,
+                    _ => knots.push((knot, 1)),
+                }
+            }
+            knots
+        });
+        let gap = |d: usize| {
+            let inner = counted[d].len().saturating_sub(1);
+            counted[d].iter().take(inner).skip(1).any(|(_, count)| *count >= clamped.vectors[d].order())
+        };
+        if gap(0) || gap(1) {
+            return None;
+        }
+        Some(BSplineSurface {
+            degrees: clamped.vectors.each_ref().map(|vector| vector.order() - 1),
+            knots: counted.each_ref().map(|knots| knots.iter().map(|(knot, _)| *knot).collect()),
+            multiplicities: counted.each_ref().map(|knots| knots.iter().map(|(_, count)| *count).collect()),
+            net: clamped.net,
+            weights: clamped.weights,
+        })
+    }
+}
+
+impl KnotSurface {
+    /// The same surface over knots whose first and last are there as often as the order says.
+    ///
+    /// # Errors
+    /// [`KnotError::Closed`].
+    pub fn clamped(&self) -> Result<Self, KnotError> {
+        let across = self.clamped_across()?;
+        Ok(across.turned().clamped_across()?.turned())
+    }
+
+    /// With the knots along `v` clamped.
+    fn clamped_across(&self) -> Result<Self, KnotError> {
+        let [along, across] = &self.vectors;
+        if across.breaks().is_some() || along.breaks().is_some() {
+            return Err(KnotError::Closed);
+        }
+        let rows = self.net.iter().enumerate().map(|(k, row)| {
+            let weights = self.weights.as_ref().and_then(|rows| rows.get(k)).cloned();
+            KnotCurve::with(across.clone(), row.clone(), weights)?.clamped()
+        });
+        let rows: Vec<KnotCurve<3>> = rows.collect::<Result<_, _>>()?;
+        let vector = rows.first().map_or_else(|| across.clone(), |row| row.vector().clone());
+        let weights = rows.iter().map(|row| row.weights().map(<[f64]>::to_vec)).collect();
+        Self::new([along.clone(), vector], rows.iter().map(|row| row.points().to_vec()).collect(), weights)
+    }
+
+    /// With `u` and `v` changed for each other.
+    fn turned(&self) -> Self {
+        fn turned<T: Clone>(rows: &[Vec<T>]) -> Vec<Vec<T>> {
+            let columns = rows.first().map_or(0, Vec::len);
+            (0..columns).map(|l| rows.iter().filter_map(|row| row.get(l).cloned()).collect()).collect()
+        }
+        let [along, across] = self.vectors.clone();
+        Self {
+            vectors: [across, along],
+            net: turned(&self.net),
+            weights: self.weights.as_deref().map(turned),
+        }
     }
 }

@@ -24,6 +24,7 @@
 //! # Ok::<(), grafika::geometry::GeometryError>(())
 //! ```
 
+mod arcs;
 mod basis;
 mod change;
 mod curve;
