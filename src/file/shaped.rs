@@ -356,7 +356,7 @@ mod tests {
         let points = "\"points\":[[0,0],[1,2],[3,0],[4,4]]";
         for (fields, told) in [
             ("\"family\":\"c-bezier\"", "c-bezier curves need \"alpha\""),
-            ("\"family\":\"c-bezier\",\"alpha\":4", "alpha = 4; it must be larger than 0 and at most pi"),
+            ("\"family\":\"c-bezier\",\"alpha\":4", "alpha is 4, but must be larger than 0 and at most pi"),
             ("\"family\":\"han\",\"lambda\":1,\"alpha\":1", "han curves have no \"alpha\""),
             ("\"family\":\"spb\",\"lambda\":[1,1,1,1]", "spb curves have one lambda"),
             ("\"family\":\"gb\",\"lambda\":[1,1]", "2 lambdas for 4 points"),
