@@ -83,6 +83,7 @@ fn hill() -> KnotNet {
     let knots: Vec<f64> = (0..11).map(f64::from).collect();
     KnotNet {
         order: [4, 4],
+        closed: [false; 2],
         points: (0..7).map(|k| (0..7).map(|l| point(k, l)).collect()).collect(),
         weights: None,
         knots: [knots.clone(), knots],

@@ -39,13 +39,20 @@ pub struct KnotPoints {
 pub struct KnotNet {
     /// Degree + 1 along u and v, 2 to 8.
     pub order: [usize; 2],
+    /// Whether the last span along u, along v is followed by the first.
+    #[serde(default, skip_serializing_if = "is_open")]
+    pub closed: [bool; 2],
     /// The control points: rows count along u, points of a row along v.
     pub points: Vec<Vec<Point<3>>>,
     /// A weight for every point; all 1 if they are missing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weights: Option<Vec<Vec<f64>>>,
-    /// The knots along u and v, ascending.
+    /// The knots along u and v, ascending; those of a closed direction as of a closed [curve](KnotPoints).
     pub knots: [Vec<f64>; 2],
+}
+
+fn is_open(closed: &[bool; 2]) -> bool {
+    *closed == [false; 2]
 }
 
 /// One sentence about a document that cannot be.
@@ -67,10 +74,7 @@ impl KnotPoints {
     /// # Errors
     /// What is wrong with them; also [`KnotError::KnotCount`] for fewer points than the order.
     pub fn vector(&self) -> Result<KnotVector, KnotError> {
-        match self.closed {
-            true => KnotVector::closed(self.order, &self.knots),
-            false => KnotVector::new(self.order, self.knots.clone()),
-        }
+        vector(self.order, self.closed, &self.knots)
     }
 
     /// Whether there are enough points for a curve.
@@ -130,27 +134,33 @@ impl KnotPoints {
     }
 }
 
+fn vector(order: usize, closed: bool, knots: &[f64]) -> Result<KnotVector, KnotError> {
+    match closed {
+        true => KnotVector::closed(order, knots),
+        false => KnotVector::new(order, knots.to_vec()),
+    }
+}
+
 impl KnotNet {
     /// The surface.
     ///
     /// # Errors
     /// What is wrong with knots, points or weights.
     pub fn surface(&self) -> Result<KnotSurface, KnotError> {
-        let [u, v] = &self.knots;
-        let vectors =
-            [KnotVector::new(self.order[0], u.clone())?, KnotVector::new(self.order[1], v.clone())?];
-        KnotSurface::new(vectors, self.points.clone(), self.weights.clone())
+        let [u, v] = [0, 1].map(|d| vector(self.order[d], self.closed[d], &self.knots[d]));
+        KnotSurface::new([u?, v?], self.points.clone(), self.weights.clone())
     }
 
-    /// The document of an open surface.
+    /// The document of a surface.
     #[must_use]
     pub fn of(surface: &KnotSurface) -> Self {
         let [u, v] = surface.vectors();
         Self {
             order: [u.order(), v.order()],
+            closed: [u, v].map(|vector| vector.breaks().is_some()),
             points: surface.net().to_vec(),
             weights: surface.weights().map(<[Vec<f64>]>::to_vec),
-            knots: [u.knots().to_vec(), v.knots().to_vec()],
+            knots: [u, v].map(|vector| vector.breaks().unwrap_or(vector.knots()).to_vec()),
         }
     }
 

@@ -194,9 +194,9 @@ impl ParamSurface for KnotSurface {
         })
     }
 
-    /// The surface itself, its knots clamped; `None` for a closed one and for one with a gap.
+    /// The surface itself, its knots clamped; `None` for one with a gap.
     fn to_bspline(&self) -> Option<BSplineSurface> {
-        let clamped = self.clamped().ok()?;
+        let clamped = self.opened().ok()?.clamped().ok()?;
         let counted = [0, 1].map(|d| {
             let mut knots: Vec<(f64, usize)> = Vec::new();
             for &knot in clamped.vectors[d].knots() {
@@ -232,6 +232,26 @@ impl KnotSurface {
     pub fn clamped(&self) -> Result<Self, KnotError> {
         let across = self.clamped_across()?;
         Ok(across.turned().clamped_across()?.turned())
+    }
+
+    /// The same surface over open knots: closed directions have their first control points at the end again.
+    fn opened(&self) -> Result<Self, KnotError> {
+        fn spread<T: Copy>(
+            net: &[Vec<T>],
+            [rows, columns]: [usize; 2],
+            place: impl Fn(usize, usize) -> [usize; 2],
+        ) -> Vec<Vec<T>> {
+            let at = |k: usize, l: usize| {
+                let [k, l] = place(k, l);
+                net.get(k).and_then(|row| row.get(l)).copied()
+            };
+            (0..rows).map(|k| (0..columns).filter_map(|l| at(k, l)).collect()).collect()
+        }
+        let [u, v] = self.vectors.each_ref().map(|it| KnotVector::new(it.order(), it.knots().to_vec()));
+        let size = self.vectors.each_ref().map(KnotVector::controls);
+        let place = |k: usize, l: usize| [self.vectors[0].point_index(k), self.vectors[1].point_index(l)];
+        let weights = self.weights.as_ref().map(|weights| spread(weights, size, place));
+        Self::new([u?, v?], spread(&self.net, size, place), weights)
     }
 
     /// With the knots along `v` clamped.
