@@ -35,7 +35,7 @@ type Row = Command<Action>;
 pub(super) const WINDOWS: [Area; 2] = [Area::new(6, 14, 100, 27), Area::new(105, 14, 199, 27)];
 
 const fn pad(letter: char, at: i32, text: Words, help: KeyHelp, action: Action) -> Row {
-    Command::pad(Key::Char(letter), Pad { area: Area::new(at, 41, at + 46, 52), text }, help, action)
+    Command::pad(Key::Char(letter), Pad { area: Area::new(at, 41, at + 47, 52), text }, help, action)
 }
 
 /// A row of the editor of curves with an action of this program.
@@ -70,28 +70,28 @@ const TURN: Row = Command::told((
 ));
 const PATHS: Row = pad(
     'P',
-    6,
+    5,
     Words("utak", "path"),
     line("P", "9 pont útja, míg a paraméter változik", "paths of 9 points while the parameter moves"),
     Action::Paths,
 );
 const THROUGH: Row = pad(
     'H',
-    55,
+    54,
     Words("célt", "hit"),
     line("H", "át egy ponton: kattintás vagy Enter, hely", "through a point: click, or Enter and place"),
     Action::Through,
 );
 const SERIES: Row = pad(
     'S',
-    104,
+    103,
     Words("sor", "fan"),
     line("S", "11 görbe a paraméter tartományában", "11 curves over the parameter's range"),
     Action::Series,
 );
 const DATA: Row = pad(
     'I',
-    153,
+    152,
     Words("adat", "data"),
     line("I", "a görbe átmegy a pontokon: be, ki", "the curve passes the points: on, off"),
     Action::Data,

@@ -2,12 +2,13 @@
 
 use super::craft::{Bench, Shaper};
 use super::form::Form;
+use super::obey::ask_number;
 use super::room::{Here, Room};
 use super::texts;
 use crate::design::Place;
 use crate::file::{Document, FIELD, FamilyName, Format, MAX_POINTS, Places, ShapedPoints};
-use crate::geometry::Point;
 use crate::geometry::shaped::{cyclic_from_fourier, cyclic_to_fourier};
+use crate::geometry::{ParamCurve, Point};
 use crate::machine::Asked;
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Question};
@@ -54,8 +55,20 @@ where
     let blend = shaped.blend.as_ref().and_then(places);
     let form = Form::of_document(&shaped, points, blend);
     let outside = form.points.iter().filter(|point| !point.fits()).count();
+    if let (Document::Fourier(_), Some((form, by))) = (document, centred(&form)) {
+        return Ok((form, Some(texts::shifted(by))));
+    }
     let remark = (outside > 0 && form.family() != FamilyName::Cyclic).then(|| texts::outside(outside));
     Ok((form, remark))
+}
+
+/// A curve that leaves the field, in the middle of it; its program draws it elsewhere. Also by how much it was moved.
+fn centred<const D: usize>(form: &Form<D>) -> Option<(Form<D>, [f64; 2])> {
+    let bounds = form.curve().ok()?.bounding_box()?;
+    let inside = (0..D.min(2)).all(|d| bounds.min[d] >= 0.0 && bounds.max[d] <= FIELD[d]);
+    let by: [f64; 2] = std::array::from_fn(|d| (0.5 * (FIELD[d] - bounds.min[d] - bounds.max[d])).round());
+    let moved = |point: &Point<D>| std::array::from_fn(|d| point[d] + by.get(d).copied().unwrap_or(0.0));
+    (!inside).then(|| (form.replaced(form.points.iter().map(moved).collect()), by))
 }
 
 /// Whether points of a cyclic curve of the plane lie so far out that nobody can take hold of them.
@@ -85,11 +98,13 @@ where
     let all = form.points.len() / 2;
     let near = |harmonics: &usize| reduced(&form, *harmonics).is_some_and(|form| !is_far(&form.points));
     let Some(harmonics) = (1..all).rev().find(near) else { return Ok(()) };
-    let facts = texts::far_out(all);
-    let question = Question::yes_no(texts::keep_harmonics(harmonics));
-    if desk.ask_about(editor, &facts, question).await? == Answer::First
-        && let Some(fewer) = reduced(&form, harmonics)
-    {
+    let facts = texts::far_out(all, harmonics);
+    if desk.ask_about(editor, &facts, Question::yes_no(texts::ASK_FEWER)).await? == Answer::Second {
+        return Ok(());
+    }
+    let most = [1.0, (all - 1) as f64];
+    let wanted = ask_number(desk, editor, texts::HARMONICS, most, &harmonics.to_string()).await?;
+    if let Some(fewer) = reduced(&form, wanted as usize) {
         editor.change(fewer);
     }
     Ok(())

@@ -24,6 +24,8 @@ const LETTERS: usize = 28;
 const LEFT: i32 = TOP.0 + 8;
 const LINES: [i32; 3] = [TOP.1 + 4, TOP.1 + 13, TOP.1 + 22];
 const HINT: (i32, i32) = (TOP.0 + 8, TOP.1 + 32);
+/// Pixels of sides that are drawn.
+const FAR: i32 = 20_000;
 /// Half the size of the cross at a target.
 const CROSS: i32 = 5;
 
@@ -74,7 +76,15 @@ where
             (Closure::Closed, [first, .., last]) => Some([*last, *first]),
             _ => None,
         };
-        items.extend(sides.chain(closing).map(|ends| Item::Line { ends, ink: Color::LightGray }));
+        // A side that ends far outside would be drawn in a wrong direction.
+        let near = |ends: &[Point<D>; 2]| {
+            ends.iter().all(|end| {
+                let (x, y) = editor.lens.pixel(*end);
+                x.abs().max(y.abs()) < FAR
+            })
+        };
+        let shown = sides.chain(closing).filter(near);
+        items.extend(shown.map(|ends| Item::Line { ends, ink: Color::LightGray }));
     }
     if let Some(curve) = curve {
         let (steps, stroke) = (steps(curve.spans()), Stroke::thick(Color::White));
@@ -252,7 +262,7 @@ where
         return;
     }
     let Some(curve) = form.curve().ok() else { return };
-    let facts = texts::facts(form.points.len(), curve.spans(), length(&curve), form.through);
+    let facts = texts::facts(form.points.len(), curve.spans(), traces::length(&curve), form.through);
     screen.text(LEFT, LINES[0], facts.of(language), Color::Black);
     let mut lines: Vec<(Phrase, Color)> = Vec::new();
     if let Some(aim) = aim_shown(editor).filter(|_| editor.held.is_none()) {
@@ -271,15 +281,6 @@ where
     for ((line, ink), y) in lines.iter().zip(&LINES[1..]) {
         screen.text(LEFT, *y, line.of(language), *ink);
     }
-}
-
-/// The length of a curve as it is drawn.
-fn length<const D: usize>(curve: &ShapedCurve<D>) -> f64 {
-    let line = curve.polyline(steps(curve.spans())).unwrap_or_default();
-    let side = |pair: &[Point<D>]| {
-        pair[0].iter().zip(pair[1]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
-    };
-    line.windows(2).map(side).sum()
 }
 
 /// What can be done now.

@@ -78,7 +78,8 @@ pub(super) fn no_parameter(name: FamilyName) -> Phrase {
 
 /// What is asked for: a new value of a parameter.
 pub(super) fn ask_value(name: &str, [low, high]: [f64; 2]) -> Phrase {
-    let text = format!("{name}: {} ... {}", short((1e4 * low).round() / 1e4), short((1e4 * high).round() / 1e4));
+    let text =
+        format!("{name}: {} ... {}", short((1e4 * low).round() / 1e4), short((1e4 * high).round() / 1e4));
     Phrase::new(text.clone(), text)
 }
 
@@ -110,10 +111,11 @@ pub(super) fn not_reached(distance: f64) -> Phrase {
 /// The first line of the page.
 pub(super) fn facts(points: usize, spans: usize, length: f64, through: bool) -> Phrase {
     let length = if length.abs() < 1e6 { format!("{length:.1}") } else { format!("{length:.2e}") };
+    let arcs = if spans == 1 { "arc" } else { "arcs" };
     let (hungarian, english) = if through { ("adat", "data") } else { ("pont", "pts") };
     Phrase::new(
         format!("{points} {hungarian}, {spans} ív, L = {length}"),
-        format!("{points} {english}, {spans} arcs, L = {length}"),
+        format!("{points} {english}, {spans} {arcs}, L = {length}"),
     )
 }
 
@@ -144,42 +146,49 @@ pub(super) fn outside(count: usize) -> Phrase {
     )
 }
 
-/// The points of a cyclic curve lie far out.
-pub(super) fn far_out(harmonics: usize) -> Phrase {
+/// The points of a cyclic curve lie far out; so many of its harmonics have theirs near.
+pub(super) fn far_out(harmonics: usize, near: usize) -> Phrase {
     Phrase::new(
         format!(
-            "{harmonics} felharmonikus kontrollpontjai messze a mezőn kívül vannak: a legnagyobbak szorzója óriási. \
-             Kevesebbel a pontok kézbe vehetők, de a görbe simább lesz."
+            "{harmonics} felharmonikus kontrollpontjai messze a mezőn kívül vannak, mert a legmagasabbak szorzója \
+             óriási. {near} felharmonikusé még közel van; kevesebbel a görbe simább."
         ),
         format!(
-            "The control points of {harmonics} harmonics fly far out of the field: the highest are multiplied by huge \
-             factors. With fewer the points can be held, but the curve is smoother."
+            "The control points of {harmonics} harmonics fly far out of the field, because the highest are multiplied \
+             by huge factors. Those of {near} stay near; with fewer the curve is smoother."
         ),
     )
 }
 
-/// Whether fewer harmonics are right.
-pub(super) fn keep_harmonics(harmonics: usize) -> Phrase {
+/// Whether fewer harmonics are wanted, and how many.
+pub(super) const ASK_FEWER: Words = Words("  Kevesebb felharmonikus ?", "     Fewer harmonics?");
+pub(super) const HARMONICS: &str = "n";
+
+/// A curve that has been moved into the field.
+pub(super) fn shifted([right, up]: [f64; 2]) -> Phrase {
     Phrase::new(
-        format!("   Csak {harmonics} felharmonikus ?"),
-        format!("    Only {harmonics} harmonics?"),
+        format!("A görbe a mező közepére került: ({right}; {up}) eltolással"),
+        format!("The curve has been moved to the middle of the field, by ({right}; {up})"),
     )
 }
 
 /// Whether only the first points are to stay.
 pub(super) fn keep_first(needed: usize) -> Phrase {
-    Phrase::new(
-        format!("  Az első {needed} pont marad ?"),
-        format!("   Keep the first {needed} points?"),
-    )
+    Phrase::new(format!("  Az első {needed} pont marad ?"), format!("   Keep the first {needed} points?"))
 }
 
 /// A family needs fewer points.
 pub(super) fn too_many(name: FamilyName, needed: usize, count: usize) -> Phrase {
     let title = of_name(name).title;
     Phrase::new(
-        format!("{}: pontosan {needed} pont kell, most {count} van. A többi Ctrl+Z-vel visszahozható.", title.0),
-        format!("{}: exactly {needed} points are needed, there are {count}. Ctrl+Z brings the others back.", title.1),
+        format!(
+            "{}: pontosan {needed} pont kell, most {count} van. A többi Ctrl+Z-vel visszahozható.",
+            title.0
+        ),
+        format!(
+            "{}: exactly {needed} points are needed, there are {count}. Ctrl+Z brings the others back.",
+            title.1
+        ),
     )
 }
 

@@ -29,8 +29,9 @@ const SHADES: [Color; SERIES] = [
     Color::Magenta,
     Color::LightMagenta,
 ];
-/// Teeth of the comb on a curve, and the longest of them in pixels.
-const TEETH: usize = 120;
+/// Pixels between two teeth of the comb, teeth at most, and the longest of them in pixels.
+const APART: f64 = 7.0;
+const TEETH: f64 = 600.0;
 const LONGEST: f64 = 400.0;
 
 /// A line through points, as a curve.
@@ -117,14 +118,28 @@ pub(super) fn add_series<const D: usize>(form: &Form<D>, knob: &Knob, items: &mu
         let value = if k + 1 == SERIES { high } else { low + (high - low) * k as f64 / (SERIES - 1) as f64 };
         if let Ok(curve) = form.with(knob.parameter, value).and_then(|form| form.curve()) {
             let steps = steps(curve.spans());
-            items.push(Item::Curve { curve: Box::new(curve), steps, stroke: Stroke::thin(shade), name: None });
+            items.push(Item::Curve {
+                curve: Box::new(curve),
+                steps,
+                stroke: Stroke::thin(shade),
+                name: None,
+            });
         }
     }
 }
 
+/// The length of a curve as it is drawn.
+pub(super) fn length<const D: usize>(curve: &dyn ParamCurve<D>) -> f64 {
+    let line = curve.polyline(steps(curve.spans())).unwrap_or_default();
+    let side =
+        |pair: &[Point<D>]| pair[0].iter().zip(pair[1]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    line.windows(2).map(side).sum()
+}
+
 /// The comb of curvature, on the outer side of the bend, and the line over its tips.
 pub(super) fn add_comb<const D: usize>(curve: &dyn ParamCurve<D>, scale: f64, items: &mut Vec<Item<D>>) {
-    let per_span = (TEETH / curve.spans().max(1)).max(4);
+    let teeth = (length(curve) / APART).clamp(8.0, TEETH);
+    let per_span = (teeth / curve.spans().max(1) as f64).ceil().max(2.0) as usize;
     let teeth: Vec<[Point<D>; 2]> = (0..curve.spans())
         .flat_map(|span| (0..=per_span).map(move |k| (span, k as f64 / per_span as f64)))
         .filter_map(|(span, u)| tooth(curve, span, u, scale))
