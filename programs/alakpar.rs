@@ -83,3 +83,17 @@ async fn run(machine: &mut Machine, first: Start, mut in_space: bool, passage: R
         next = page;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Language;
+
+    #[test]
+    fn the_help_page_of_space_fits_too() {
+        let manual = Manual { keys: commands::SPACE_KEYS, ..MANUAL };
+        for language in [Language::Hungarian, Language::English] {
+            assert_eq!(manual.misfits(language), [""; 0]);
+        }
+    }
+}

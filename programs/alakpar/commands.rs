@@ -105,6 +105,10 @@ const TO_SPACE: Row =
     Command::key(Key::F(3), line("F3", "a tér lapja", "the page of space"), Action::Elsewhere);
 const TO_PLANE: Row =
     Command::key(Key::F(3), line("F3", "a sík lapja", "the page of the plane"), Action::Elsewhere);
+const VIEW: Row = Command::told((
+    Words("jobb g., nyilak", "right b., arrows"),
+    Words("forgatás; görgő: nagyítás; Home: eredeti nézet", "turn; wheel: zoom; Home: the first view"),
+));
 const CUBIC: Row = Command::key(
     Key::F(4),
     line("F4", "a köbös görbe ugyanezekkel, szürkén", "the cubic curve of the same points, grey"),
@@ -178,10 +182,7 @@ pub(super) const SPACE: Commands<Action> = Commands(&[
     DATA,
     COMB,
     told(common::DRAG_3D),
-    told(common::TURN[0]),
-    told(common::TURN[1]),
-    told(common::TURN[2]),
-    told(common::TURN[3]),
+    VIEW,
     TO_PLANE,
     CUBIC,
     JOINT,

@@ -103,7 +103,7 @@ where
         return Ok(());
     }
     let most = [1.0, (all - 1) as f64];
-    let wanted = ask_number(desk, editor, texts::HARMONICS, most, &harmonics.to_string()).await?;
+    let wanted = ask_number(desk, editor, &texts::HARMONICS.into(), most, &harmonics.to_string()).await?;
     if let Some(fewer) = reduced(&form, wanted as usize) {
         editor.change(fewer);
     }

@@ -15,7 +15,7 @@ use crate::file::{MAX_POINTS, Places};
 use crate::geometry::Point;
 use crate::geometry::shaped::Parameter;
 use crate::machine::{Asked, Stop};
-use crate::ui::{Answer, Desk, Picture, Question, Stay, TOP, words};
+use crate::ui::{Answer, Desk, Phrase, Picture, Question, Stay, TOP, words};
 use crate::work::{Next, quit};
 use serde::Serialize;
 
@@ -144,7 +144,7 @@ where
 pub(super) async fn ask_number(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,
-    name: &str,
+    name: &Phrase,
     range: [f64; 2],
     proposal: &str,
 ) -> Asked<f64> {
@@ -171,7 +171,7 @@ where
     Vec<Point<D>>: Into<Places>,
 {
     let proposal = form.value(knob.parameter).map(|value| value.to_string()).unwrap_or_default();
-    ask_number(desk, editor, &dial::name(knob), knob.allowed, &proposal).await
+    ask_number(desk, editor, &Phrase::plain(&dial::name(knob)), knob.allowed, &proposal).await
 }
 
 /// The commands A and C.

@@ -4,6 +4,7 @@ use super::form::Form;
 use super::kinds::{Needs, of_name};
 use crate::file::FamilyName;
 use crate::geometry::GeometryError;
+use crate::machine::Language;
 use crate::ui::words::no_curve;
 use crate::ui::{Hot, Phrase, Words};
 
@@ -11,7 +12,7 @@ pub(super) const NO_DOCUMENT: Words = Words(
     "Ebben a fájlban nincs görbe: .ALP, .IP2, .IP3 vagy .GBP kell",
     "This file holds no curve: .ALP, .IP2, .IP3 or .GBP is needed",
 );
-pub(super) const EACH: Words = Words("pontonként", "by point");
+pub(super) const EACH: Words = Words("mind más", "by point");
 pub(super) const WHICH_LAMBDA: Words = Words(
     "Minden pontnak saját lambdája van: F5 választ egyet, F6 egyformává teszi őket, A mindet beírja",
     "Every point has a lambda of its own: F5 chooses one, F6 makes them alike, A types one for all",
@@ -77,18 +78,23 @@ pub(super) fn no_parameter(name: FamilyName) -> Phrase {
 }
 
 /// What is asked for: a new value of a parameter.
-pub(super) fn ask_value(name: &str, [low, high]: [f64; 2]) -> Phrase {
-    let text =
-        format!("{name}: {} ... {}", short((1e4 * low).round() / 1e4), short((1e4 * high).round() / 1e4));
-    Phrase::new(text.clone(), text)
+pub(super) fn ask_value(name: &Phrase, range: [f64; 2]) -> Phrase {
+    let [low, high] = range.map(|end| short((1e4 * end).round() / 1e4));
+    let [hungarian, english] = in_both(name);
+    Phrase::new(format!("{hungarian}: {low} ... {high}"), format!("{english}: {low} ... {high}"))
 }
 
 /// A text is no number of a range.
-pub(super) fn bad_number(name: &str, [low, high]: [f64; 2]) -> Phrase {
+pub(super) fn bad_number(name: &Phrase, [low, high]: [f64; 2]) -> Phrase {
+    let [hungarian, english] = in_both(name);
     Phrase::new(
-        format!("{name}: szám kell {low} és {high} között"),
-        format!("{name}: a number from {low} to {high} is needed"),
+        format!("{hungarian}: szám kell {low} és {high} között"),
+        format!("{english}: a number from {low} to {high} is needed"),
     )
+}
+
+fn in_both(phrase: &Phrase) -> [String; 2] {
+    [Language::Hungarian, Language::English].map(|language| phrase.of(language).to_owned())
 }
 
 /// The parameter that is looked for.
@@ -162,7 +168,7 @@ pub(super) fn far_out(harmonics: usize, near: usize) -> Phrase {
 
 /// Whether fewer harmonics are wanted, and how many.
 pub(super) const ASK_FEWER: Words = Words("  Kevesebb felharmonikus ?", "     Fewer harmonics?");
-pub(super) const HARMONICS: &str = "n";
+pub(super) const HARMONICS: Words = Words("felharmonikusok", "harmonics");
 
 /// A curve that has been moved into the field.
 pub(super) fn shifted([right, up]: [f64; 2]) -> Phrase {
