@@ -4,7 +4,7 @@ use super::envelope::{envelope_knots, envelope_order};
 use super::local::Hom;
 use super::{KnotCurve, KnotError, KnotVector};
 use crate::geometry::point::check_points;
-use crate::geometry::{Basis, Derivatives, GeometryError, ParamSurface, Point};
+use crate::geometry::{BSplineSurface, Basis, Derivatives, GeometryError, ParamSurface, Point};
 
 /// A surface over two knot vectors. Row `k` of the net counts along `u`, point `l` of it along `v`.
 #[derive(Clone, Debug, PartialEq)]
@@ -192,5 +192,10 @@ impl ParamSurface for KnotSurface {
             uv: over([1, 1], &[(1.0, [1, 0], v), (1.0, [0, 1], u), (1.0, [1, 1], point)]),
             vv: over([0, 2], &[(2.0, [0, 1], v), (1.0, [0, 2], point)]),
         })
+    }
+
+    /// Exactly, over clamped knots; `None` where control points would be too far away.
+    fn to_bspline(&self) -> Option<BSplineSurface> {
+        self.clamped().ok()
     }
 }
