@@ -15,6 +15,7 @@ mod curve;
 mod elevate;
 mod envelope;
 mod error;
+mod exact;
 mod inflections;
 mod insert;
 mod limits;

@@ -282,5 +282,8 @@ impl KnotSurface {
             net: turned(&self.net),
             weights: self.weights.as_deref().map(turned),
         }
+    /// Exactly, over clamped knots; `None` where control points would be too far away.
+    fn to_bspline(&self) -> Option<BSplineSurface> {
+        self.clamped().ok()
     }
 }

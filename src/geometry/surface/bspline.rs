@@ -94,7 +94,7 @@ impl BSplineSurface {
     }
 
     /// Makes points that differ by rounding the same: at seams and at poles.
-    pub(super) fn close(&mut self, closed: [bool; 2]) {
+    pub(in crate::geometry) fn close(&mut self, closed: [bool; 2]) {
         let bounds = BoundingBox::around(self.net.iter().flatten().copied());
         let rounding = bounds.map_or(0.0, |it| it.rounding());
         let near = |a: &Point<3>, b: &Point<3>| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= rounding);
