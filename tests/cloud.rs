@@ -122,7 +122,10 @@ mod commands {
         assert_eq!(rows, "x,y,z\n1,2,3\n-1,0,5\n");
         let lines: Vec<&str> = said.lines().collect();
         assert_eq!(lines.len(), 2, "{said}");
-        assert!(lines[1] == "grafika: scan.xyz: left out: 1 line with too few coordinates, in line 5", "{said}");
+        assert!(
+            lines[1] == "grafika: scan.xyz: left out: 1 line with too few coordinates, in line 5",
+            "{said}"
+        );
         std::fs::write(folder.join("wrong.obj"), "v 1 2 3\nv 1 2 three\n").unwrap();
         assert_eq!(
             refused(&folder, &["info", "wrong.obj"]),

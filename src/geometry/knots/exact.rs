@@ -30,6 +30,12 @@ impl KnotSurface {
         let degrees = [u.order() - 1, v.order() - 1];
         let [(knots_u, counts_u), (knots_v, counts_v)] = [along_u, along_v].map(|vector| different(&vector));
         let (knots, counts) = ([knots_u, knots_v], [counts_u, counts_v]);
+        for (degree, counts) in degrees.iter().zip(&counts) {
+            let inner = counts.iter().take(counts.len().saturating_sub(1)).skip(1);
+            if let Some(knot) = inner.copied().position(|count| count > *degree) {
+                return Err(KnotError::TooMultiple { knot, most: *degree });
+            }
+        }
         let mut surface = if rational {
             let net: Vec<Vec<[f64; 4]>> = net
                 .iter()

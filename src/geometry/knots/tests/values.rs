@@ -3,7 +3,6 @@
 use super::super::{KnotError, KnotSurface, KnotVector, Pair};
 use super::reference::{ENVELOPES, LIMITS, OPPOSED, PATHS, REFINED, SAMPLES, SURFACES, THROUGH, WEIGHTS};
 use super::{apart, curve};
-use crate::geometry::{ParamSurface, Point, norm};
 
 /// The largest coordinate of the curves.
 const SIZE: f64 = 100.0;
@@ -177,32 +176,4 @@ fn the_least_move_is_found() {
     assert!(curve.through_any(far).is_err());
     let nearest = curve.nearest_reached(far).unwrap();
     assert!(nearest[1] < 100.0 && curve.through_any(nearest).is_ok());
-}
-
-#[test]
-fn a_surface_becomes_clamped_splines_for_other_programs() {
-    let point = |k: usize, l: usize| {
-        let (sin, cos) = (l as f64).sin_cos();
-        [k as f64 + 0.3 * sin, 2.0 * cos + 0.1 * k as f64, 2.0 * sin * (1.0 + 0.2 * k as f64)]
-    };
-    let net: Vec<Vec<Point<3>>> = (0..5).map(|k| (0..6).map(|l| point(k, l)).collect()).collect();
-    let weights: Vec<Vec<f64>> =
-        (0..5).map(|k| (0..6).map(|l| 1.0 + 0.1 * (k * l) as f64).collect()).collect();
-    let u = KnotVector::new(4, vec![0.0, 1.0, 1.5, 3.0, 4.0, 6.0, 7.0, 9.0, 9.5]).unwrap();
-    let open = KnotVector::uniform(3, 6).unwrap();
-    let closed = KnotVector::closed(3, &[0.0, 1.0, 2.5, 3.0, 4.0, 5.5, 6.0]).unwrap();
-    for v in [open, closed] {
-        for weights in [None, Some(weights.clone())] {
-            let surface = KnotSurface::new([u.clone(), v.clone()], net.clone(), weights).unwrap();
-            let spline = surface.to_bspline().unwrap();
-            let [[from_u, to_u], [from_v, to_v]] = [u.domain(), v.domain()];
-            for step in 0..=20 {
-                let t = f64::from(step) / 20.0;
-                let at = [from_u + t * (to_u - from_u), to_v + t * t * (from_v - to_v)];
-                let (expected, found) = (surface.point_at(at).unwrap(), spline.eval(at[0], at[1]).unwrap());
-                let off = norm::<3>(std::array::from_fn(|d| expected[d] - found[d]));
-                assert!(off < 1e-12, "{at:?} {off}");
-            }
-        }
-    }
 }

@@ -30,7 +30,7 @@ fn chains() -> impl Strategy<Value = Circles> {
 }
 
 fn rings() -> impl Strategy<Value = Circles> {
-    let spokes = prop::collection::vec((-0.2..0.2, 0.8..1.25, 0.3..1.1), 3..12);
+    let spokes = prop::collection::vec((-0.2..0.2_f64, 0.8..1.25_f64, 0.3..1.1_f64), 3..12);
     spokes.prop_filter_map("admissible", |spokes| {
         let step = TAU / spokes.len() as f64;
         let reach = 0.7 / (0.5 * step).sin();
