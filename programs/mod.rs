@@ -4,6 +4,7 @@
 pub mod biliard;
 pub mod csango_k;
 pub mod csav_gy;
+pub mod csomo;
 pub mod eg_kz_k;
 pub mod f_em_spl;
 pub mod f_p_bets;
@@ -73,6 +74,7 @@ pub const ALL: &[Program] = &[
     kc_ter::PROGRAM,
     ph_gorbe::PROGRAM,
     pn_felul::PROGRAM,
+    csomo::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,
@@ -126,9 +128,8 @@ mod tests {
     #[test]
     fn every_format_belongs_to_a_program() {
         // Rational curves and patches are made for other programs; `grafika render` shows them.
-        use Format::{Alp, Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
-        let opened =
-            Format::ALL.iter().filter(|format| ![Rbc, Rbs, Csm, Csf, Alp, Som, Kor, Gom].contains(format));
+        use Format::{Alp, Gom, Kor, Rbc, Rbs, Som};
+        let opened = Format::ALL.iter().filter(|format| ![Rbc, Rbs, Alp, Som, Kor, Gom].contains(format));
         assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }
 }

@@ -332,7 +332,8 @@ mod tests {
         assert_eq!(knot_moved(&curve, 10, 1, 99.0).knots[10], 99.0);
         assert_eq!(knot_moved(&curve, 5, 1, f64::NAN), curve);
         assert_eq!(knot_moved(&curve, 40, 1, 1.0), curve);
-        let full = KnotPoints { knots: vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 5.0, 5.0, 9.0, 10.0], ..row(7) };
+        let full =
+            KnotPoints { knots: vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 5.0, 5.0, 9.0, 10.0], ..row(7) };
         let near = knot_moved(&full, 4, 1, 6.0);
         assert!(near.knots[4] > 4.9 && near.knots[4] < 5.0, "{near:?}");
     }

@@ -23,7 +23,7 @@ pub(in crate::editor) const METHODS: [Button; 4] = [
 ];
 
 /// Asks for the number of a point and returns its index. Zero or less cancels, like Esc.
-pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
+pub(crate) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
     let field = Field {
         area: Area::new(330, 19, 361, 32),
         at: (338, 22),
@@ -37,11 +37,7 @@ pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Pict
 
 /// Like [`ask_index`], but for one of the `count` existing points. If there is no such point, it says so and cancels
 /// the command.
-pub(in crate::editor) async fn ask_existing(
-    desk: &mut Desk<'_>,
-    picture: &dyn Picture,
-    count: usize,
-) -> Asked<usize> {
+pub(crate) async fn ask_existing(desk: &mut Desk<'_>, picture: &dyn Picture, count: usize) -> Asked<usize> {
     if count == 0 {
         desk.tell(words::NO_POINTS, Stay::Briefly);
         return Err(Stop::Cancelled);
@@ -55,7 +51,7 @@ pub(in crate::editor) async fn ask_existing(
 }
 
 /// Asks for a decimal number on the page at the top, with a caption at a given place.
-pub(in crate::editor) async fn ask_real(
+pub(crate) async fn ask_real(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,
     (caption, at): (Words, (i32, i32)),

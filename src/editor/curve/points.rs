@@ -9,12 +9,12 @@ use crate::editor::picture::Page;
 use crate::editor::seen::{Item, Label};
 use crate::editor::stage::Stage;
 use crate::editor::{Craft, Editor};
-use crate::file::{FIELD, MAX_POINTS, Method};
+use crate::file::{MAX_POINTS, Method};
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
 use crate::screen::{Color, Stroke};
 use crate::ui::words::{self, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Hint, Number, Question, Stay, TOP};
+use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Hint, Number, Picture, Question, Stay, TOP};
 use serde::Serialize;
 
 /// How far from the curve a click is on it, in pixels.
@@ -278,10 +278,11 @@ where
     }
 }
 
-/// Asks for a place in the field.
-pub(super) async fn ask_place_in_field(
-    editor: &Editor<Curves<2>, 2>,
+/// Asks for a place in a field of a width and a height.
+pub(crate) async fn ask_place_in_field(
+    picture: &dyn Picture,
     desk: &mut Desk<'_>,
+    limits: [f64; 2],
 ) -> Asked<Point<2>> {
     let field = |y: i32, largest: f64| Field {
         area: Area::new(340, y - 2, 378, y + 10),
@@ -294,7 +295,7 @@ pub(super) async fn ask_place_in_field(
         Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
         Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
     ];
-    desk.numbers(editor, &Form::new(captions, [field(14, FIELD[0]), field(29, FIELD[1])])).await
+    desk.numbers(picture, &Form::new(captions, [field(14, limits[0]), field(29, limits[1])])).await
 }
 
 /// The square of the distance of a point to the line between two others.
