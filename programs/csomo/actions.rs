@@ -12,7 +12,9 @@ use crate::file::MAX_POINTS;
 use crate::geometry::knots::{KnotError, MAX_ORDER, MIN_ORDER};
 use crate::machine::{Asked, Stop};
 use crate::ui::words::{self, Hot, Words};
-use crate::ui::{Answer, Area, Caption, Choices, Desk, Field, Form, Number, Phrase, Question, Stay, TOP};
+use crate::ui::{
+    Answer, Area, Caption, Choices, Desk, Field, Form, Number, Phrase, Picture, Question, Stay, TOP,
+};
 use crate::work::{Next, offer_to_save, quit};
 
 /// What V changes.
@@ -27,6 +29,8 @@ enum What {
 const WEIGHTS: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
 /// How far a first or last knot may be moved by number.
 const FAR: f64 = 1e6;
+/// Letters of a number that is typed.
+const LONGEST: usize = 11;
 
 impl Editor<Bench, 2> {
     /// Carries out a command.
@@ -38,7 +42,11 @@ impl Editor<Bench, 2> {
             Action::Compare => options.compared = !options.compared,
             Action::Comb => options.comb = !options.comb,
             Action::Hodograph => options.hodograph = !options.hodograph,
-            Action::Region => options.region = !options.region,
+            Action::Region if options.region => options.region = false,
+            Action::Region => match self.region_problem() {
+                Some(error) => desk.tell(texts::refusal(&error), Stay::UntilRead),
+                None => self.craft.options.region = true,
+            },
             Action::Follow => {
                 options.live = !options.live;
                 let text = if options.live { texts::FOLLOWS } else { texts::FOLLOWS_NOT };
@@ -123,7 +131,7 @@ impl Editor<Bench, 2> {
         };
         let [from, to] = facts.curve.vector().domain();
         let u = (self.u(&facts) * 1e4).round() / 1e4;
-        let value = self.ask(desk, texts::INSERT_ENTRY, Number::Real(from..=to), Some(u)).await?;
+        let value = ask_number(self, desk, texts::INSERT_ENTRY, Number::Real(from..=to), Some(u)).await?;
         self.rewrite(desk, |curve| curve.with_inserted(value));
         Ok(())
     }
@@ -156,8 +164,13 @@ impl Editor<Bench, 2> {
                 let now = self.history.now();
                 let [low, high] = edit::room(now, knot, 1);
                 let old = now.knots.get(knot).copied();
-                let value =
-                    self.ask(desk, texts::VALUE_ENTRY, Number::Real(low.max(-FAR)..=high.min(FAR)), old);
+                let value = ask_number(
+                    self,
+                    desk,
+                    texts::VALUE_ENTRY,
+                    Number::Real(low.max(-FAR)..=high.min(FAR)),
+                    old,
+                );
                 let value = value.await?;
                 self.craft.knot = Some(knot);
                 self.history.change(edit::knot_moved(self.history.now(), knot, 1, value));
@@ -166,7 +179,8 @@ impl Editor<Bench, 2> {
                 let index = ask_existing(desk, self, count).await?;
                 let weights = self.history.now().weights.as_ref();
                 let old = weights.and_then(|weights| weights.get(index)).copied().unwrap_or(1.0);
-                let weight = self.ask(desk, texts::WEIGHT_ENTRY, Number::Real(WEIGHTS), Some(old)).await?;
+                let weight =
+                    ask_number(self, desk, texts::WEIGHT_ENTRY, Number::Real(WEIGHTS), Some(old)).await?;
                 self.history.change(edit::weighted(self.history.now(), index, weight));
             }
         }
@@ -216,7 +230,7 @@ impl Editor<Bench, 2> {
         let now = self.history.now();
         let orders = i32::try_from(MIN_ORDER).unwrap_or(2)..=i32::try_from(MAX_ORDER).unwrap_or(8);
         let old = Some(now.order as f64);
-        let order = self.ask(desk, texts::ORDER_ENTRY, Number::Whole(orders), old).await? as usize;
+        let order = ask_number(self, desk, texts::ORDER_ENTRY, Number::Whole(orders), old).await? as usize;
         let what = three(
             words::ASK_SHAPE,
             [(texts::OPEN, Ends::Open), (texts::CLAMPED, Ends::Clamped), (texts::CLOSED, Ends::Closed)],
@@ -236,26 +250,26 @@ impl Editor<Bench, 2> {
         };
         let range = 0..=i32::try_from(last).unwrap_or(i32::MAX);
         let chosen = self.chosen(now).map(|stack| stack.first as f64);
-        let knot = self.ask(desk, texts::KNOT_ENTRY, Number::Whole(range), chosen).await?;
+        let knot = ask_number(self, desk, texts::KNOT_ENTRY, Number::Whole(range), chosen).await?;
         Ok(knot as usize)
     }
+}
 
-    /// Asks for a number on the page at the top, with a proposal.
-    async fn ask(
-        &self,
-        desk: &mut Desk<'_>,
-        caption: Words,
-        kind: Number,
-        proposal: Option<f64>,
-    ) -> Asked<f64> {
-        let (x, y) = (TOP.0 + 104, TOP.1 + 14);
-        let field = Field { area: Area::new(x, y, x + 104, y + 13), at: (x + 8, y + 3), longest: 11, kind };
-        let form = Form::new(vec![Caption::new((TOP.0 + 12, y + 3), caption)], [field]);
-        let proposal = proposal.map_or(String::new(), |number| number.to_string());
-        let proposal = if proposal.len() > 11 { String::new() } else { proposal };
-        let [number] = desk.numbers_or(self, &form, [proposal]).await?;
-        Ok(number)
-    }
+/// Asks for a number on the page at the top, with a proposal.
+pub(super) async fn ask_number(
+    picture: &dyn Picture,
+    desk: &mut Desk<'_>,
+    caption: Words,
+    kind: Number,
+    proposal: Option<f64>,
+) -> Asked<f64> {
+    let (x, y) = (TOP.0 + 104, TOP.1 + 14);
+    let field = Field { area: Area::new(x, y, x + 104, y + 13), at: (x + 8, y + 3), longest: LONGEST, kind };
+    let form = Form::new(vec![Caption::new((TOP.0 + 12, y + 3), caption)], [field]);
+    let proposal = proposal.map_or(String::new(), |number| number.to_string());
+    let proposal = if proposal.len() > LONGEST { String::new() } else { proposal };
+    let [number] = desk.numbers_or(picture, &form, [proposal]).await?;
+    Ok(number)
 }
 
 /// A page of three answers.

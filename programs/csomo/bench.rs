@@ -1,7 +1,9 @@
 //! The page of curves: what CSOMO adds to the editor of handles.
 
 use super::facts::{Cache, Facts};
-use super::sheet::{self, FIELD, LINE, STORE, STRIP, Scale, Sheet, Stack, in_field};
+use super::rail::{Stack, stacks};
+use super::region::Known;
+use super::sheet::{self, FIELD, LINE, RAIL, STORE, STRIP, Sheet, in_field};
 use super::table::{Action, COMMANDS};
 use super::through::Search;
 use super::{model, texts};
@@ -56,6 +58,7 @@ pub(super) struct Bench {
     /// The mouse before the present event.
     pub(super) mouse: Mouse,
     cache: Cache,
+    pub(super) region: Known,
     /// Set where the page of surfaces is wanted.
     pub(super) elsewhere: Rc<Cell<bool>>,
 }
@@ -109,6 +112,7 @@ impl Bench {
             search: None,
             mouse: Mouse::default(),
             cache: Cache::default(),
+            region: Known::default(),
             elsewhere,
         }
     }
@@ -205,7 +209,7 @@ impl Craft<2> for Bench {
         match handle {
             Handle::Point(index) => sheet::points(curve).get(index).copied().or(Some(STORE)),
             Handle::Knots { first, .. } | Handle::Opposed([first, _]) => {
-                Some([Scale::of(curve).across(*curve.knots.get(first)?), 0.0])
+                Some([sheet::scale(curve).along(*curve.knots.get(first)?), 0.0])
             }
             Handle::New | Handle::Mark | Handle::OnCurve => Some([0.0; 2]),
         }
@@ -217,7 +221,7 @@ impl Craft<2> for Bench {
         if Bench::place(curve, handle) == Some(at) && handle != Handle::New {
             return curve.clone();
         }
-        let value = Scale::of(curve).value(at[0]);
+        let value = sheet::scale(curve).value(at[0]);
         let before = |first: usize| curve.knots.get(first).copied().unwrap_or(value);
         match handle {
             Handle::Point(index) if index < count && in_field(at) => edit::moved(curve, index, at),
@@ -238,7 +242,7 @@ impl Craft<2> for Bench {
         if on_disc(Sheet.pixel(STORE), at) && points.len() < MAX_POINTS {
             return Some(Handle::Point(points.len()));
         }
-        if let Some((stack, level)) = sheet::stack_at(curve, at) {
+        if let Some((stack, level)) = RAIL.stack_at(&curve.knots, at) {
             let Stack { first, copies, .. } = stack;
             let partner = editor.partner(curve, first).filter(|_| editor.craft.options.opposed);
             return Some(match partner {
@@ -277,7 +281,7 @@ impl Craft<2> for Bench {
     fn looked(editor: &mut Editor<Bench, 2>, _: &mut Desk<'_>, tick: &Tick) -> bool {
         let Some(Event::Wheel(steps)) = tick.event else { return false };
         let curve = editor.history.now();
-        let under = sheet::stack_at(curve, (tick.mouse.x, tick.mouse.y));
+        let under = RAIL.stack_at(&curve.knots, (tick.mouse.x, tick.mouse.y));
         let Some((Stack { first, copies, value }, level)) = under.filter(|_| !editor.stage.is_result())
         else {
             return false;
@@ -370,7 +374,7 @@ impl Editor<Bench, 2> {
         let facts = self.facts(self.history.now())?;
         let at = if held.at == held.from { Sheet::place(held.pressed) } else { held.at };
         let u = match held.handle {
-            Handle::Mark => Scale::of(self.history.now()).value(at[0]),
+            Handle::Mark => sheet::scale(self.history.now()).value(at[0]),
             Handle::OnCurve => facts.nearest(at)?.0,
             _ => return self.craft.u,
         };
@@ -396,9 +400,7 @@ impl Editor<Bench, 2> {
             }
         }
         let stacks = self.movable(curve);
-        let named = |stack: &&Stack| {
-            self.craft.knot.is_some_and(|knot| (stack.first..stack.first + stack.copies).contains(&knot))
-        };
+        let named = |stack: &&Stack| self.craft.knot.is_some_and(|knot| stack.holds(knot));
         let u = self.facts(curve).map(|facts| self.u(&facts))?;
         let usual = || stacks.iter().find(|stack| stack.value > u).or(stacks.last());
         stacks.iter().find(named).or_else(usual).copied()
@@ -412,7 +414,7 @@ impl Editor<Bench, 2> {
             let seam = curve.closed && (ends[0] == 0 || ends[1] + 1 == curve.knots.len());
             !seam && ends.into_iter().any(|knot| !facts.curve.changed_spans(index(curve, knot)).is_empty())
         };
-        sheet::stacks(curve).into_iter().filter(counts).collect()
+        stacks(&curve.knots).into_iter().filter(counts).collect()
     }
 
     /// The knot that moves against another one, `2 k - 3` behind it.
@@ -425,7 +427,8 @@ impl Editor<Bench, 2> {
     /// Where the mouse would have a held knot, neighbours or not, while Shift is down.
     pub(super) fn beyond(&self) -> Option<f64> {
         let held = self.held.filter(|_| self.craft.mouse.with(Modifier::Shift))?;
-        matches!(held.handle, Handle::Knots { .. }).then(|| Scale::of(self.history.now()).value(held.at[0]))
+        matches!(held.handle, Handle::Knots { .. })
+            .then(|| sheet::scale(self.history.now()).value(held.at[0]))
     }
 
     /// What can be done now.

@@ -2,7 +2,8 @@
 
 use super::bench::{Bench, Curve, Handle, index};
 use super::facts::Facts;
-use super::sheet::{self, STORE, Sheet, Stack, in_field};
+use super::rail::Stack;
+use super::sheet::{self, STORE, Sheet, in_field};
 use super::texts::PathKind;
 use crate::editor::Editor;
 use crate::editor::lens::Lens;
@@ -24,6 +25,8 @@ const TEETH: u32 = 16;
 const LONGEST: f64 = 60.0;
 /// How many times its room a knot is followed beyond it.
 const FARTHEST: f64 = 60.0;
+/// Pixels between two places of a line that has gone through infinity.
+const LEAP: f64 = 700.0;
 
 /// A path as it is drawn.
 pub(super) struct Path {
@@ -232,10 +235,22 @@ impl Editor<Bench, 2> {
         lines.collect()
     }
 
+    /// The control points that the arcs beside the knot shrink to while it is beyond its neighbours.
+    fn limits(&self, curve: &KnotPoints) -> Vec<Point<2>> {
+        let limits = || {
+            let (facts, stack) = (self.facts(curve)?, self.chosen(curve)?);
+            let limits = facts.curve.limits(index(curve, stack.first), stack.copies).ok()?;
+            Some(limits.after.into_iter().chain(limits.before).collect())
+        };
+        self.beyond().and_then(|_| limits()).unwrap_or_default()
+    }
+
     /// The control points with their numbers, and the next one in the store.
     fn add_points(&self, items: &mut Vec<Item<2>>) {
         let (fill, preview) = (Color::DarkGray, self.preview());
+        let limits = self.limits(&preview);
         for (number, &at) in (1..).zip(sheet::points(&preview)) {
+            let fill = if limits.contains(&at) { Color::Green } else { fill };
             items.push(Item::Disc { at, number, fill });
         }
         let count = self.history.now().points.len();
@@ -288,16 +303,27 @@ fn beyond(curve: &Curve, (knot, stack): (usize, Stack), value: f64) -> Vec<Item<
                     end + sign * FARTHEST * (high - low) * t.powi(4)
                 };
                 let points: Vec<Point<2>> = (0..=STEPS).filter_map(|k| path.at(far(k))).collect();
-                items.extend(line_item(points, Stroke::thin(Color::LightGreen).dotted()));
+                for piece in unbroken(points) {
+                    items.extend(line_item(piece, Stroke::thin(Color::LightGreen).dotted()));
+                }
             }
         }
         items.extend(line_item(arc, Stroke::thick(Color::White).dotted()));
     }
-    if let Ok(limits) = curve.limits(knot, stack.copies) {
-        let ends = limits.after.into_iter().chain(limits.before);
-        items.extend(ends.map(|at| Item::Knot { at, fill: Color::Green }));
-    }
     items
+}
+
+/// The pieces of a line that goes through infinity.
+fn unbroken(points: Vec<Point<2>>) -> Vec<Vec<Point<2>>> {
+    let mut pieces: Vec<Vec<Point<2>>> = vec![Vec::new()];
+    for point in points {
+        let before = pieces.last().and_then(|piece| piece.last()).copied();
+        if before.is_some_and(|before| (before[0] - point[0]).hypot(before[1] - point[1]) > LEAP) {
+            pieces.push(Vec::new());
+        }
+        pieces.last_mut().into_iter().for_each(|piece| piece.push(point));
+    }
+    pieces
 }
 
 /// Pixels of a tooth for a curvature of 1.

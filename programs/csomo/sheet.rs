@@ -1,5 +1,6 @@
 //! What lies where in the picture: the field of control points, the strip of basis functions, the line of knots.
 
+use super::rail::{Rail, Scale};
 use crate::design::knots::edit;
 use crate::editor::lens::{Held, Lens, draw_grid, draw_heights, into, is_drag};
 use crate::figure::{Axes, Figure};
@@ -82,144 +83,20 @@ impl Lens<2> for Sheet {
     }
 }
 
-/// From values of knots to pixels of strip and line. The whole list of knots goes in, with a margin for its ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Scale {
-    from: f64,
-    /// Values in a pixel.
-    step: f64,
+/// The line of knots; the strip has the same columns.
+pub(super) const RAIL: Rail = Rail { start: (LINE.x1, LINE.y2), length: FIELD[0], upright: false };
+
+/// The scale of a document's knots.
+pub(super) fn scale(curve: &KnotPoints) -> Scale {
+    RAIL.scale(&curve.knots)
 }
 
-/// Pixels beside the first and the last knot.
-const MARGIN: f64 = 8.0;
-
-impl Scale {
-    pub(super) fn of(curve: &KnotPoints) -> Scale {
-        let [first, last] =
-            [curve.knots.first(), curve.knots.last()].map(|knot| knot.copied().unwrap_or(0.0));
-        let length = if last > first { last - first } else { 1.0 };
-        let step = length / (FIELD[0] - 2.0 * MARGIN);
-        Scale { from: first - MARGIN * step, step }
-    }
-
-    /// The distance of a value from the left edge.
-    pub(super) fn across(&self, value: f64) -> f64 {
-        (value - self.from) / self.step
-    }
-
-    /// The column of a value.
-    pub(super) fn column(&self, value: f64) -> i32 {
-        ORIGIN.0 + pixel(self.across(value))
-    }
-
-    /// The value at a distance from the left edge.
-    pub(super) fn value(&self, across: f64) -> f64 {
-        self.from + self.step * across
-    }
-
-    /// The value at a column.
-    pub(super) fn at(&self, column: i32) -> f64 {
-        self.value(f64::from(column - ORIGIN.0))
-    }
-}
-
-/// Equal knots, drawn one above the other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stack {
-    /// The first of them.
-    pub(super) first: usize,
-    /// How many.
-    pub(super) copies: usize,
-    /// Their value.
-    pub(super) value: f64,
-}
-
-/// All stacks of a document, in order.
-pub(super) fn stacks(curve: &KnotPoints) -> Vec<Stack> {
-    let mut all: Vec<Stack> = Vec::new();
-    for (index, &value) in curve.knots.iter().enumerate() {
-        match all.last_mut() {
-            Some(last) if last.value == value => last.copies += 1,
-            _ => all.push(Stack { first: index, copies: 1, value }),
-        }
-    }
-    all
-}
-
-/// Width of a triangle to either side of its tip, and its height.
-const HALF: i32 = 4;
-const TALL: i32 = 7;
-/// The row of the lowest tip.
-const TIP: i32 = LINE.y2 - 1;
-
-impl Stack {
-    /// How far triangles stand above each other.
-    fn rise(&self) -> i32 {
-        let gaps = i32::try_from(self.copies).unwrap_or(i32::MAX).saturating_sub(1);
-        if gaps == 0 { TALL } else { (14 / gaps).clamp(1, TALL) }
-    }
-
-    /// The corners of a triangle, the lowest is 0.
-    pub(super) fn triangle(&self, level: usize, scale: &Scale) -> [(i32, i32); 3] {
-        let x = scale.column(self.value);
-        let tip = TIP - self.rise() * i32::try_from(level).unwrap_or(0);
-        [(x - HALF, tip - TALL), (x + HALF, tip - TALL), (x, tip)]
-    }
-
-    /// The level at a pixel.
-    fn level(&self, (x, y): (i32, i32), scale: &Scale) -> Option<usize> {
-        let levels = i32::try_from(self.copies).unwrap_or(1);
-        let (rise, near) = (self.rise(), (x - scale.column(self.value)).abs() <= HALF);
-        let level = if y > TIP - TALL { 0 } else { (TIP - TALL - y).max(0) / rise + i32::from(levels > 1) };
-        let above = level >= levels && y < TIP - TALL - rise * (levels - 1);
-        (near && !above && y <= LINE.y2).then(|| usize::try_from(level.min(levels - 1)).unwrap_or(0))
-    }
-}
-
-/// The stack at a pixel of the line, and the level of the triangle there; the nearest where they overlap.
-pub(super) fn stack_at(curve: &KnotPoints, at: (i32, i32)) -> Option<(Stack, usize)> {
-    if !on(Area { y1: LINE.y1 - 1, x1: LINE.x1 - HALF, x2: LINE.x2 + HALF, ..LINE }, at) {
-        return None;
-    }
-    let scale = Scale::of(curve);
-    let under = stacks(curve).into_iter().filter_map(|stack| Some((stack, stack.level(at, &scale)?)));
-    under.min_by_key(|(stack, _)| (scale.column(stack.value) - at.0).abs())
+/// The column of a value.
+pub(super) fn column(scale: &Scale, value: f64) -> i32 {
+    ORIGIN.0 + pixel(scale.along(value))
 }
 
 /// The control points of a document.
 pub(super) fn points(curve: &KnotPoints) -> &[Point<2>] {
     edit::places(curve)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_come_back_from_their_pixels() {
-        let curve = KnotPoints::of_points(vec![[0.0, 0.0]; 7]);
-        let scale = Scale::of(&curve);
-        for value in [0.0, 3.3, 10.0] {
-            assert!((scale.value(scale.across(value)) - value).abs() < 1e-12);
-            assert!(on(LINE, (scale.column(value), LINE.y1)));
-        }
-    }
-
-    #[test]
-    fn every_triangle_of_a_stack_can_be_taken() {
-        for copies in 1..=8 {
-            let mut curve = KnotPoints::of_points(vec![[0.0, 0.0]; 30]);
-            curve.knots[10..10 + copies].fill(10.0);
-            let x = Scale::of(&curve).column(10.0);
-            let levels: Vec<usize> = (LINE.y1 - 1..=LINE.y2)
-                .filter_map(|y| stack_at(&curve, (x, y)))
-                .map(|(_, level)| level)
-                .collect();
-            for level in 0..copies {
-                assert!(levels.contains(&level), "{copies}: {levels:?}");
-            }
-            let stack = stack_at(&curve, (x, LINE.y2)).map(|(stack, _)| stack);
-            assert_eq!(stack.map(|stack| (stack.first, stack.copies)), Some((10, copies)));
-        }
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, index};
 use super::facts::Facts;
-use super::sheet::Stack;
+use super::rail::Stack;
 use super::texts::{self, PathKind, Status};
 use crate::design::knots::edit;
 use crate::editor::Editor;

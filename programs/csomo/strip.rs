@@ -2,7 +2,8 @@
 
 use super::bench::{Bench, Curve, Handle, index};
 use super::facts::Facts;
-use super::sheet::{self, LINE, STRIP, Scale, Stack};
+use super::rail::{Scale, stacks};
+use super::sheet::{self, LINE, ORIGIN, RAIL, STRIP, column};
 use crate::editor::Editor;
 use crate::editor::field::PICTURE;
 use crate::file::KnotPoints;
@@ -32,13 +33,14 @@ impl Editor<Bench, 2> {
         screen.bar(x1, STRIP.y1 - 3, x2, y2, Color::Black);
         let frame = Stroke::thin(Color::DarkGray);
         screen.rectangle(STRIP.x1 - 1, STRIP.y1 - 1, STRIP.x2 + 1, STRIP.y2 + 1, frame);
-        let (drawn, scale) = (self.drawn(), Scale::of(self.history.now()));
+        let (drawn, scale) = (self.drawn(), sheet::scale(self.history.now()));
         let facts = self.facts(&drawn);
+        self.draw_region_spans(screen, &scale);
         if let Some(facts) = &facts {
             draw_functions(screen, facts.curve.vector(), &scale);
             self.draw_graphs(screen, facts, &scale);
-            let column = scale.column(self.u(facts));
-            screen.line(column, STRIP.y1, column, LINE.y2, Stroke::thin(Color::White).dotted());
+            let at = column(&scale, self.u(facts));
+            screen.line(at, STRIP.y1, at, LINE.y2, Stroke::thin(Color::White).dotted());
         }
         self.draw_knots(screen, &drawn, facts.as_deref(), &scale);
     }
@@ -63,39 +65,25 @@ impl Editor<Bench, 2> {
 
     /// Triangles of the knots, one over the other where they are equal.
     fn draw_knots(&self, screen: &mut Screen, drawn: &KnotPoints, facts: Option<&Facts>, scale: &Scale) {
-        screen.line(LINE.x1, LINE.y2, LINE.x2, LINE.y2, Stroke::thin(Color::DarkGray));
-        if let Some(facts) = facts {
-            let [from, to] = facts.curve.vector().domain().map(|u| scale.column(u));
-            screen.line(from, LINE.y2, to, LINE.y2, Stroke::thin(Color::White));
-        }
         let chosen = self.chosen(drawn);
         let partner =
             chosen.and_then(|stack| self.partner(drawn, stack.first)).filter(|_| self.craft.options.opposed);
-        for stack in sheet::stacks(drawn) {
-            // The lowest comes last, over the others.
-            for level in (0..stack.copies).rev() {
-                let knot = stack.first + level;
-                let fill = match chosen {
-                    Some(Stack { first, copies, .. }) if (first..first + copies).contains(&knot) => {
-                        Color::Yellow
-                    }
-                    _ if partner == Some(knot) => Color::LightCyan,
-                    _ if facts.is_some_and(|facts| idle(&facts.curve, index(drawn, knot))) => Color::DarkGray,
-                    _ => Color::LightGray,
-                };
-                screen.polygon(&stack.triangle(level, scale), fill, Stroke::thin(Color::White));
-            }
-        }
+        let fill = |knot: usize| match chosen {
+            Some(stack) if stack.holds(knot) => Color::Yellow,
+            _ if partner == Some(knot) => Color::LightCyan,
+            _ if facts.is_some_and(|facts| idle(&facts.curve, index(drawn, knot))) => Color::DarkGray,
+            _ => Color::LightGray,
+        };
+        let domain = facts.map(|facts| facts.curve.vector().domain());
+        RAIL.draw(screen, scale, &drawn.knots, domain, fill);
         if let Some(value) = self.beyond() {
-            let column = scale.column(value);
-            screen.line(column, LINE.y1, column, LINE.y2, Stroke::thick(Color::Yellow).dotted());
+            RAIL.mark(screen, scale.along(value), Stroke::thick(Color::Yellow).dotted());
         }
         if let Some(Handle::Knots { .. } | Handle::Opposed(_)) = self.held.map(|held| held.handle) {
             // Where it was.
-            let before = self.history.now();
-            for stack in sheet::stacks(before).iter().filter(|stack| !drawn.knots.contains(&stack.value)) {
-                let column = scale.column(stack.value);
-                screen.line(column, LINE.y1, column, LINE.y2, Stroke::thin(Color::DarkGray));
+            let before = stacks(&self.history.now().knots);
+            for stack in before.iter().filter(|stack| !drawn.knots.contains(&stack.value)) {
+                RAIL.mark(screen, scale.along(stack.value), Stroke::thin(Color::DarkGray));
             }
         }
     }
@@ -109,15 +97,14 @@ fn idle(curve: &Curve, knot: usize) -> bool {
 fn draw_functions(screen: &mut Screen, vector: &KnotVector, scale: &Scale) {
     let Some((wide, before)) = extended(vector) else { return };
     let count = vector.points();
-    let [low, high] = vector.domain().map(|u| scale.column(u));
-    for column in [low, high] {
-        screen.line(column, STRIP.y1, column, STRIP.y2, Stroke::thin(Color::DarkGray));
+    for end in vector.domain().map(|u| column(scale, u)) {
+        screen.line(end, STRIP.y1, end, STRIP.y2, Stroke::thin(Color::DarkGray));
     }
     // Of every function its pixels so far.
     let mut lines: Vec<Vec<(i32, i32)>> = vec![Vec::new(); wide.controls()];
     let mut values = Vec::new();
     for column in (STRIP.x1..=STRIP.x2).step_by(STEP as usize) {
-        let u = scale.at(column);
+        let u = scale.value(f64::from(column - ORIGIN.0));
         let Some(span) = wide.span_of(u) else { continue };
         let Some(number) = wide.filled_spans().iter().position(|other| *other == span) else { continue };
         let (from, to) = (wide.knots()[span], wide.knots()[span + 1]);
@@ -164,8 +151,11 @@ fn graph(
     ink: Color,
 ) {
     let [from, to] = curve.vector().domain();
-    let columns = scale.column(from)..=scale.column(to);
-    let at = |column: i32| Some((column, value(scale.at(column).clamp(from, to))?));
+    let columns = column(scale, from)..=column(scale, to);
+    let at = |column: i32| {
+        let u = scale.value(f64::from(column - ORIGIN.0)).clamp(from, to);
+        Some((column, value(u)?))
+    };
     let values: Vec<(i32, f64)> = columns.step_by(STEP as usize).filter_map(at).collect();
     let most = values.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
     if most > 0.0 {

@@ -1,5 +1,6 @@
 //! What CSOMO says, in Hungarian and English.
 
+use super::rail::Stack;
 use crate::design::knots::edit::Ends;
 use crate::geometry::knots::{KnotError, Pair, Unreached, Way};
 use crate::ui::{Hot, Phrase, Words};
@@ -63,6 +64,47 @@ pub(super) const HINT_TARGET: Words = Words(
     "Kattintson oda, ahol a görbe átmenjen. Esc: vissza",
     "Click where the curve shall pass. Esc: back",
 );
+
+pub(super) const WRONG_NET: Words = Words(
+    "A felületek lapja csomókkal leírt felületet nyit meg: CSF.",
+    "The page of surfaces opens a surface by its knots: CSF.",
+);
+pub(super) const ROW_ENTRY: Words = Words("Sor (u):", "Row (u):");
+pub(super) const COLUMN_ENTRY: Words = Words("Oszlop (v):", "Column (v):");
+pub(super) const TARGET: Words = Words("Cél", "Target");
+pub(super) const HINT_NET: Words = Words(
+    "Húzzon pontot vagy csomót: u lent, v balra. U burok, A átmegy, Tab más. F5 görbék",
+    "Drag a point or a knot: u below, v at the left. U envelope A through. F5 curves",
+);
+pub(super) const HINT_NET_KNOT: Words = Words(
+    "A csomó a szomszédainál áll meg; a burok marad. Esc: mégsem",
+    "The knot stops at its neighbours; the envelope stays. Esc: cancel",
+);
+
+/// The title of the page of surfaces.
+pub(super) fn net_title([k, l]: [usize; 2], [rows, columns]: [usize; 2]) -> Phrase {
+    Phrase::new(format!("Rend {k} x {l}  {rows} x {columns}"), format!("Order {k} x {l}  {rows} x {columns}"))
+}
+
+/// The line under a surface.
+pub(super) fn net_status(chosen: Option<(usize, Stack)>, [u, v]: [f64; 2]) -> Phrase {
+    let [u, v] = [u, v].map(number);
+    let knot = chosen.map_or(String::new(), |(direction, stack)| {
+        let (letter, times) = (["u", "v"][direction.min(1)], stack.copies);
+        let times = if times > 1 { format!(" x{times}") } else { String::new() };
+        format!("{letter}{} = {}{times}   ", stack.first, number(stack.value))
+    });
+    let text = format!("{knot}(u, v) = ({u}, {v})");
+    Phrase::new(text.clone(), text)
+}
+
+/// A net has too many points for the picture.
+pub(super) fn net_too_large(count: usize, most: usize) -> Phrase {
+    Phrase::new(
+        format!("A hálónak {count} sora vagy oszlopa van; a kép legfeljebb {most}-et mutat."),
+        format!("The net has {count} rows or columns; the picture shows {most} at most."),
+    )
+}
 
 /// What is missing to a curve.
 pub(super) fn more_points(missing: usize, order: usize) -> Phrase {
@@ -243,7 +285,9 @@ mod tests {
 
     #[test]
     fn hints_fit_their_page() {
-        let texts = [HINT_FIRST, HINT_EDIT, HINT_KNOT, HINT_POINT, HINT_MARK, HINT_TARGET].map(Phrase::from);
+        let texts =
+            [HINT_FIRST, HINT_EDIT, HINT_KNOT, HINT_POINT, HINT_MARK, HINT_TARGET, HINT_NET, HINT_NET_KNOT]
+                .map(Phrase::from);
         let more = [more_points(8, 8), more_points(1, 2)];
         let found = solution(Way::Pair(12, Pair::RightCross), 10, 99, 0.123);
         for text in texts.iter().chain(&more).chain([&found]) {

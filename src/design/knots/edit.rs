@@ -55,8 +55,14 @@ pub fn ends(curve: &KnotPoints) -> Ends {
 /// The mean distance of neighbouring knots, which steps are measured by: of those that differ.
 #[must_use]
 pub fn mean_step(curve: &KnotPoints) -> f64 {
-    let [Some(first), Some(last)] = [curve.knots.first(), curve.knots.last()] else { return 1.0 };
-    let steps = curve.knots.windows(2).filter(|pair| pair[0] < pair[1]).count();
+    mean_of(&curve.knots)
+}
+
+/// The mean distance of neighbouring knots of a list.
+#[must_use]
+pub fn mean_of(knots: &[f64]) -> f64 {
+    let [Some(first), Some(last)] = [knots.first(), knots.last()] else { return 1.0 };
+    let steps = knots.windows(2).filter(|pair| pair[0] < pair[1]).count();
     if steps == 0 { 1.0 } else { (last - first) / steps as f64 }
 }
 
@@ -164,21 +170,39 @@ pub fn room(curve: &KnotPoints, first: usize, copies: usize) -> [f64; 2] {
 /// curve stay.
 #[must_use]
 pub fn knot_moved(curve: &KnotPoints, first: usize, copies: usize, value: f64) -> KnotPoints {
-    let Some(&before) = curve.knots.get(first) else { return curve.clone() };
-    if copies == 0 || first + copies > curve.knots.len() || !value.is_finite() || seam(curve, first, copies) {
+    if seam(curve, first, copies) {
         return curve.clone();
     }
-    let [low, high] = room(curve, first, copies);
+    let with = |knots: &[f64]| KnotPoints { knots: knots.to_vec(), ..curve.clone() };
+    let moved = list_moved(&curve.knots, (first, copies), value, |knots| holds(&with(knots)));
+    moved.map_or_else(|| curve.clone(), |knots| with(&knots))
+}
+
+/// A list of knots with copies of one of them, the first of which is told, at a value, or as near to it as their
+/// neighbours and `right` allow. `None` where they cannot move.
+#[must_use]
+pub fn list_moved(
+    knots: &[f64],
+    (first, copies): (usize, usize),
+    value: f64,
+    right: impl Fn(&[f64]) -> bool,
+) -> Option<Vec<f64>> {
+    let before = *knots.get(first)?;
+    if copies == 0 || first.checked_add(copies)? > knots.len() || !value.is_finite() {
+        return None;
+    }
+    let low = first.checked_sub(1).map_or(f64::NEG_INFINITY, |before| knots[before]);
+    let high = knots.get(first + copies).copied().unwrap_or(f64::INFINITY);
     let at = |value: f64| {
-        let mut new = curve.clone();
-        new.knots[first..first + copies].iter_mut().for_each(|knot| *knot = value);
-        Some(new).filter(holds)
+        let mut new = knots.to_vec();
+        new[first..first + copies].fill(value);
+        Some(new).filter(|new| right(new))
     };
     let aim = value.max(low).min(high);
     // A place that is full already is not reached.
-    let short = NEAREST * mean_step(curve);
+    let short = NEAREST * mean_of(knots);
     let near = if aim > before { (aim - short).max(before) } else { (aim + short).min(before) };
-    at(aim).or_else(|| at(near)).unwrap_or_else(|| curve.clone())
+    at(aim).or_else(|| at(near))
 }
 
 /// Whether copies of a knot contain an end of the period of a closed curve.
