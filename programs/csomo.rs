@@ -29,11 +29,11 @@ const MANUAL: Manual = Manual {
     about: Words("B-spline görbék a csomóikkal", "B-spline curves by their knots"),
     intro: Words(
         "B-spline görbék, amelyeket nem pontjaik, hanem csomóik alakítanak. Nyissa meg: A.CSM, nyomja le: P, U, \
-         aztán húzzon egy háromszöget a kép alján. A görbe pontjai törtfüggvények pályáin futnak, a szélsők \
-         egyenesen, és minden görbe érinti ugyanazt az egy renddel alacsonyabb burkolót.",
+         aztán húzzon egy háromszöget lent. A görbe pontjai törtfüggvények pályáin futnak, és a görbék mind \
+         érintik az eggyel alacsonyabb rendű burkolót.",
         "B-spline curves shaped not by their points but by their knots. Open A.CSM, press P and U, then drag a \
-         triangle at the bottom. Points of the curve run along rational paths, the outermost along lines, and all \
-         the curves touch one envelope whose order is lower by one.",
+         triangle at the bottom. Points of the curve run along rational paths, and all the curves touch one \
+         envelope whose order is lower by one.",
     ),
     keys: table::KEYS,
     lesson: &[],

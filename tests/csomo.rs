@@ -320,6 +320,90 @@ fn points_become_cubic_and_what_cannot_be_is_told() {
     }
 }
 
+/// The hill on the page of surfaces.
+fn hill(script: &str) -> Kept {
+    let machine = Machine::new(Box::new(Memory::default()), Settings::default());
+    let mut kept = Kept::default();
+    let script = Script::parse(&format!("{script}\nshot end.png\ndump end.json")).expect("it is right");
+    let text = std::fs::read_to_string(common::path("../data/A.CSF")).expect("the sample is there");
+    let document = Document::from_json(&text).expect("it is a document");
+    play(&mut session_on(PROGRAM, machine, Some(document)), &script, &mut kept).expect("all is taken");
+    kept
+}
+
+fn of_hill(script: &str) -> Value {
+    hill(script).models["end.json"].clone()
+}
+
+/// The column of a knot of u, 0 to 10, and the row of one of v.
+fn on_rails(knot: f64) -> [i32; 2] {
+    [60 + (8.0 + knot / 10.0 * 544.0).round() as i32, 432 - (8.0 + knot / 10.0 * 350.0).round() as i32]
+}
+
+#[test]
+fn knots_of_both_directions_shape_a_surface() {
+    let [from, to] = [on_rails(5.0), on_rails(5.4)];
+    let along_u = of_hill(&format!("drag {} 454 {} 454", from[0], to[0]));
+    let knots = numbers(&along_u["knots"][0]);
+    assert!((knots[5] - 5.4).abs() < 0.03, "{knots:?}");
+    assert_eq!((&along_u["direction"], &along_u["knot"]), (&json!(0), &json!(5)));
+    let along_v = of_hill(&format!("drag 37 {} 37 {}", from[1], on_rails(7.5)[1]));
+    assert_eq!(numbers(&along_v["knots"][1])[5], 6.0, "it stops at its neighbour");
+    assert_eq!(along_v["direction"], 1);
+    let undone = of_hill(&format!("drag {} 454 {} 454\nkey Ctrl+Z", from[0], to[0]));
+    assert_eq!(numbers(&undone["knots"][0])[5], 5.0);
+    let turned = of_hill(&format!("move {} 454\nwheel 2", from[0]));
+    assert!((numbers(&turned["knots"][0])[5] - 5.02).abs() < 1e-9 && turned["zoom"] == of_hill("")["zoom"]);
+    assert_ne!(of_hill("move 320 240\nwheel 2")["zoom"], of_hill("")["zoom"]);
+}
+
+#[test]
+fn points_marks_and_numbers_of_a_surface_change() {
+    let marked = of_hill(&format!("click {} 440\nclick 50 {}", on_rails(4.5)[0], on_rails(3.5)[1]));
+    let at = numbers(&marked["at"]);
+    assert!((at[0] - 4.5).abs() < 0.02 && (at[1] - 3.5).abs() < 0.03, "{at:?}");
+    let point = of_hill(
+        "type vp0\nkey Enter\ntype 0\nkey Enter\ntype 10\nkey Enter\ntype 20\nkey Enter\ntype 30\nkey Enter",
+    );
+    assert_eq!(point["points"][0][0], json!([10.0, 20.0, 30.0]));
+    let knot = of_hill("type vcv6\nkey Enter\ntype 6.25\nkey Enter");
+    assert_eq!(numbers(&knot["knots"][1])[6], 6.25);
+    let next = of_hill("key Tab");
+    assert_eq!((&next["direction"], &next["knot"]), (&json!(0), &json!(6)));
+    let through = of_hill("key A\ntype 0\nkey Enter\ntype 0\nkey Enter\ntype 90\nkey Enter");
+    let far = of_hill("key A\ntype 0\nkey Enter\ntype 0\nkey Enter\ntype 900\nkey Enter");
+    assert_eq!(far["unsaved"], false);
+    assert_eq!(through["points"], far["points"]);
+}
+
+#[test]
+fn pages_of_curves_and_surfaces_change_places() {
+    let there = "key U\nkey F5\nkey U\n";
+    let net = model(&format!("{}{}", "manner today\n", there));
+    assert_eq!(net["order"], json!([4, 4]));
+    let back = model(&format!("manner today\n{there}key F5\nkey U\n"));
+    assert_eq!(back["order"], 4);
+    let asked = run(&format!("lang en\n{}{}key F5", opened("A"), dragged(8.2, 8.6)));
+    pictures::assert_golden("csomo_leave_en", &asked.pictures["end.png"]);
+}
+
+#[test]
+fn the_page_of_surfaces_looks_as_it_did() {
+    for language in ["hu", "en"] {
+        let [from, to] = [on_rails(5.0), on_rails(5.7)];
+        for (name, script) in [
+            ("net", "manner today".to_owned()),
+            ("net_knot", format!("move {} 454\npress left\nmove {} 454", from[0], to[0])),
+            ("net_result", "key E".to_owned()),
+            ("net_change", "type vc".to_owned()),
+            ("net_help", "key F1".to_owned()),
+        ] {
+            let kept = hill(&format!("lang {language}\n{script}"));
+            pictures::assert_golden(&format!("csomo_{name}_{language}"), &kept.pictures["end.png"]);
+        }
+    }
+}
+
 #[test]
 fn live_or_not() {
     let from = column(8.2);

@@ -109,11 +109,11 @@ impl Editor<Bench, 2> {
         if let Some(facts) = self.facts(&drawn) {
             self.add_curves(&drawn, &facts, &mut items);
         }
-        if let Some(target) = self.craft.search.as_ref().and_then(|search| search.target) {
-            items.push(Item::Own(Box::new(Cross(Sheet.pixel(target)))));
-        }
         if !bare {
             self.add_points(&mut items);
+        }
+        if let Some(target) = self.craft.search.as_ref().and_then(|search| search.target) {
+            items.push(Item::Own(Box::new(Cross(Sheet.pixel(target)))));
         }
         items
     }

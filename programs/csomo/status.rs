@@ -62,6 +62,13 @@ impl Editor<Bench, 2> {
             (envelope.ok().and_then(|envelope| envelope.curvature_ratio), own.map(|path| path.kind))
         };
         let (ratio, path) = chosen.map_or((None, None), of_family);
+        let against = chosen.filter(|_| self.craft.options.opposed).and_then(|stack| {
+            let span = stack.first + drawn.order - 2;
+            let opposed = facts.curve.opposed(stack.first, *facts.curve.vector().knots().get(span)?).ok()?;
+            // Where it is not straight, it is rational of order 3 (Juhász).
+            Some(if opposed.straight() { PathKind::Straight } else { PathKind::Order(3) })
+        });
+        let path = against.or(path);
         let before = self.craft.start.as_ref().filter(|_| self.craft.options.compared);
         Some(Status {
             knot: chosen.map(|stack| (stack.first, stack.value, stack.copies)),

@@ -42,7 +42,9 @@ impl Editor<Bench, 2> {
             let at = column(&scale, self.u(facts));
             screen.line(at, STRIP.y1, at, LINE.y2, Stroke::thin(Color::White).dotted());
         }
-        self.draw_knots(screen, &drawn, facts.as_deref(), &scale);
+        // The triangle is at the mouse, also where the curve waits.
+        let held = if self.held.is_some() { self.preview() } else { drawn };
+        self.draw_knots(screen, &held, facts.as_deref(), &scale);
     }
 
     /// Curvature and speed over the parameter.

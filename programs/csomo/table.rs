@@ -36,8 +36,8 @@ const ROWS: &[Row] = &[
     Command::told((
         Words("csomósor", "knot line"),
         Words(
-            "húzható; az alsó a többszörös csomót együtt, felső szétválaszt",
-            "drag: the lowest moves all copies, a higher one splits them",
+            "húzható; az alsó mind együtt, egy felső szétválaszt",
+            "drag: the lowest takes all copies, a higher splits",
         ),
     )),
     Command::told((
