@@ -5,6 +5,7 @@ pub mod alakpar;
 pub mod biliard;
 pub mod csango_k;
 pub mod csav_gy;
+pub mod csomo;
 pub mod eg_kz_k;
 pub mod f_em_spl;
 pub mod f_p_bets;
@@ -74,6 +75,7 @@ pub const ALL: &[Program] = &[
     kc_ter::PROGRAM,
     ph_gorbe::PROGRAM,
     pn_felul::PROGRAM,
+    csomo::PROGRAM,
     alakpar::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
@@ -130,8 +132,8 @@ mod tests {
     fn every_format_belongs_to_a_program() {
         // Rational curves and patches are made for other programs; `grafika render` shows them. Clouds come from
         // other programs.
-        use Format::{Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
-        let made = |format: Format| [Rbc, Rbs, Csm, Csf, Som, Kor, Gom].contains(&format);
+        use Format::{Gom, Kor, Rbc, Rbs, Som};
+        let made = |format: Format| [Rbc, Rbs, Som, Kor, Gom].contains(&format);
         let opened = Format::ALL.iter().filter(|&&format| !made(format) && CloudFormat::of(format).is_none());
         assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }

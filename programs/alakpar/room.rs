@@ -3,7 +3,7 @@
 use super::commands::{Action, PLANE, SPACE};
 use crate::editor::lens::{Field, Lens};
 use crate::editor::place;
-use crate::file::{Places, SPACE_VIEW};
+use crate::file::{FIELD, Places, SPACE_VIEW};
 use crate::geometry::Point;
 use crate::machine::Asked;
 use crate::screen::Color;
@@ -61,7 +61,7 @@ impl Room<2> for Here {
     }
 
     async fn ask_place(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Point<2>> {
-        place::ask_place_in_field(desk, picture).await
+        place::ask_place_in_field(desk, picture, FIELD).await
     }
 }
 

@@ -9,7 +9,7 @@ pub const QUIT: KeyHelp = (Words("Q", "Q"), words::HELP_QUIT);
 pub const SAVE: KeyHelp = (Words("Ctrl+S", "Ctrl+S"), words::HELP_SAVE);
 /// Undo and redo.
 pub const UNDO: KeyHelp = (Words("Ctrl+Z Ctrl+Y", "Ctrl+Z Ctrl+Y"), words::HELP_UNDO);
-pub(super) const TURN_DRAG: KeyHelp = (Words("jobb gomb", "right button"), words::HELP_TURN_DRAG);
-pub(super) const TURN_KEYS: KeyHelp = (Words("nyilak", "arrows"), words::HELP_TURN_KEYS);
-pub(super) const ZOOM: KeyHelp = (Words("görgő", "wheel"), words::HELP_ZOOM);
-pub(super) const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);
+pub(crate) const TURN_DRAG: KeyHelp = (Words("jobb gomb", "right button"), words::HELP_TURN_DRAG);
+pub(crate) const TURN_KEYS: KeyHelp = (Words("nyilak", "arrows"), words::HELP_TURN_KEYS);
+pub(crate) const ZOOM: KeyHelp = (Words("görgő", "wheel"), words::HELP_ZOOM);
+pub(crate) const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);

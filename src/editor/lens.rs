@@ -74,8 +74,7 @@ impl Lens<2> for Field {
 
     fn dragged<H>(&self, held: &Held<H, 2>, (x, y): (i32, i32)) -> Option<Point<2>> {
         let at = self.pixel(held.at);
-        let (to_x, to_y) = (x.clamp(REACH.x1, REACH.x2), y.clamp(REACH.y1, REACH.y2));
-        is_drag(at, (x, y)).then(|| self.place((to_x, to_y)))
+        is_drag(at, (x, y)).then(|| self.place(into((x, y), REACH)))
     }
 
     fn flat(&self, place: Point<2>) -> Point<2> {
@@ -94,17 +93,8 @@ impl Lens<2> for Field {
         (0..points.len()).collect()
     }
 
-    /// The grid of ten pixels.
     fn draw_ground(&self, screen: &mut Screen) {
-        let stroke = Stroke::thin(Color::LightGray);
-        for column in 0..57 {
-            let x = ORIGIN.0 + 10 * column;
-            screen.line(x, 450, x, 70, stroke);
-        }
-        for row in 0..39 {
-            let y = ORIGIN.1 - 10 * row;
-            screen.line(41, y, 601, y, stroke);
-        }
+        draw_grid(screen, ORIGIN, 380);
     }
 
     /// The scales.
@@ -116,12 +106,7 @@ impl Lens<2> for Field {
             let label_x = if hundred == 0 { 27 } else { x - 25 };
             screen.text(label_x, 472, &(100 * hundred).to_string(), Color::Black);
         }
-        for hundred in 0..4 {
-            let y = ORIGIN.1 - 100 * hundred;
-            screen.line(11, y, 29, y, tick);
-            let label_x = if hundred == 0 { 11 } else { 1 };
-            screen.text(label_x, y - 10, &(100 * hundred).to_string(), Color::Black);
-        }
+        draw_heights(screen, ORIGIN.1, 380);
     }
 
     fn draw_legend(&self, screen: &mut Screen, language: Language) {
@@ -179,8 +164,36 @@ impl Lens<3> for Viewer {
     }
 }
 
+/// The grid of ten pixels of a field 560 pixels wide, from the pixel of its origin.
+pub(crate) fn draw_grid(screen: &mut Screen, (left, bottom): (i32, i32), height: i32) {
+    let stroke = Stroke::thin(Color::LightGray);
+    for column in 0..57 {
+        let x = left + 10 * column;
+        screen.line(x, bottom, x, bottom - height, stroke);
+    }
+    for row in 0..=height / 10 {
+        let y = bottom - 10 * row;
+        screen.line(left, y, left + 560, y, stroke);
+    }
+}
+
+/// The scale at the left of a field, in hundreds of pixels from its origin up.
+pub(crate) fn draw_heights(screen: &mut Screen, bottom: i32, height: i32) {
+    for hundred in 0..=height / 100 {
+        let y = bottom - 100 * hundred;
+        screen.line(11, y, 29, y, Stroke::thin(Color::Black));
+        let label_x = if hundred == 0 { 11 } else { 1 };
+        screen.text(label_x, y - 10, &(100 * hundred).to_string(), Color::Black);
+    }
+}
+
+/// The pixel of an area that is nearest to another pixel.
+pub(crate) fn into((x, y): (i32, i32), area: Area) -> (i32, i32) {
+    (x.clamp(area.x1, area.x2), y.clamp(area.y1, area.y2))
+}
+
 /// Whether a movement from one pixel to another is a drag, not a mere click.
-fn is_drag((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> bool {
+pub(crate) fn is_drag((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> bool {
     (x2 - x1).pow(2) + (y2 - y1).pow(2) > 2
 }
 

@@ -1,7 +1,6 @@
 //! Places of control points: asked for by their coordinates, and found on a curve by the mouse.
 
 use super::lens::Lens;
-use crate::file::FIELD;
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
 use crate::screen::Color;
@@ -36,7 +35,11 @@ fn coordinate(area: Area) -> Field {
 }
 
 /// Asks for a place in the field of plane curves.
-pub(crate) async fn ask_place_in_field(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Point<2>> {
+pub(crate) async fn ask_place_in_field(
+    desk: &mut Desk<'_>,
+    picture: &dyn Picture,
+    limits: [f64; 2],
+) -> Asked<Point<2>> {
     let field = |y: i32, largest: f64| Field {
         area: Area::new(340, y - 2, 378, y + 10),
         at: (348, y + 1),
@@ -48,7 +51,7 @@ pub(crate) async fn ask_place_in_field(desk: &mut Desk<'_>, picture: &dyn Pictur
         Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
         Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
     ];
-    desk.numbers(picture, &Form::new(captions, [field(14, FIELD[0]), field(29, FIELD[1])])).await
+    desk.numbers(picture, &Form::new(captions, [field(14, limits[0]), field(29, limits[1])])).await
 }
 
 /// The vertex of a line along a curve that is at a pixel, and the index that a control point inserted there has:

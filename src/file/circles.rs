@@ -86,8 +86,8 @@ impl Circles {
             let problem = "\"closed\" is for chains; edges say themselves what is joined";
             return Err(FileError::Invalid(problem.to_owned()));
         }
-        let ends = self.edges.iter().flatten().flatten();
-        ends.map(|&end| check_index("circle", end, self.circles.len())).collect()
+        let mut ends = self.edges.iter().flatten().flatten();
+        ends.try_for_each(|&end| check_index("circle", end, self.circles.len()))
     }
 
     pub(super) fn describe(&self) -> Vec<String> {
@@ -115,8 +115,8 @@ impl Spheres {
             let problem = "\"closed\" is for a single chain; there are \"chains\" as well";
             return Err(FileError::Invalid(problem.to_owned()));
         }
-        let all = self.chains.iter().flatten().flatten();
-        all.map(|&index| check_index("sphere", index, self.spheres.len())).collect()
+        let mut all = self.chains.iter().flatten().flatten();
+        all.try_for_each(|&index| check_index("sphere", index, self.spheres.len()))
     }
 
     pub(super) fn describe(&self) -> Vec<String> {

@@ -153,6 +153,33 @@ impl Button {
     }
 }
 
+/// A key that, while it is held, changes what the mouse does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Modifier {
+    /// Shift.
+    Shift,
+    /// Ctrl.
+    Ctrl,
+}
+
+impl Modifier {
+    /// Every modifier with its name in scripts.
+    pub const ALL: [(&'static str, Modifier); 2] = [("shift", Modifier::Shift), ("ctrl", Modifier::Ctrl)];
+
+    /// The modifier of a name as scripts write it.
+    pub fn from_name(name: &str) -> Option<Modifier> {
+        Modifier::ALL.iter().find(|(known, _)| *known == name).map(|&(_, modifier)| modifier)
+    }
+
+    /// The name in scripts.
+    pub fn name(self) -> &'static str {
+        match self {
+            Modifier::Shift => "shift",
+            Modifier::Ctrl => "ctrl",
+        }
+    }
+}
+
 /// An event of the display.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
@@ -166,6 +193,8 @@ pub enum Event {
     Release(Button),
     /// The wheel turned, in steps, away from the user positive.
     Wheel(i32),
+    /// A modifier went down (`true`) or up.
+    Hold(Modifier, bool),
     /// The window's close button.
     Close,
 }
@@ -179,12 +208,19 @@ pub struct Mouse {
     pub y: i32,
     /// Whether left, right and middle button are down.
     pub down: [bool; 3],
+    /// Whether Shift and Ctrl are.
+    pub with: [bool; 2],
 }
 
 impl Default for Mouse {
     /// In the middle of the screen, nothing pressed.
     fn default() -> Self {
-        Mouse { x: crate::screen::WIDTH / 2, y: crate::screen::HEIGHT / 2, down: [false; 3] }
+        Mouse {
+            x: crate::screen::WIDTH / 2,
+            y: crate::screen::HEIGHT / 2,
+            down: [false; 3],
+            with: [false; 2],
+        }
     }
 }
 
@@ -192,6 +228,11 @@ impl Mouse {
     /// Whether a button is held.
     pub fn holds(&self, button: Button) -> bool {
         self.down[button as usize]
+    }
+
+    /// Whether a modifier is held.
+    pub fn with(&self, modifier: Modifier) -> bool {
+        self.with[modifier as usize]
     }
 
     /// The mouse after an event.
@@ -203,6 +244,7 @@ impl Mouse {
             }
             Event::Press(button) => self.down[button as usize] = true,
             Event::Release(button) => self.down[button as usize] = false,
+            Event::Hold(modifier, down) => self.with[modifier as usize] = down,
             Event::Key(_) | Event::Wheel(_) | Event::Close => {}
         }
         self

@@ -38,7 +38,7 @@ mod stop;
 mod storage;
 
 pub use bests::{Best, Bests};
-pub use event::{Button, Event, Key, Mouse, Tick};
+pub use event::{Button, Event, Key, Modifier, Mouse, Tick};
 pub use files::{Files, Standing};
 pub use port::Wait;
 pub use preferences::{Cloth, Keeper, Look, PointerSpeed, Preference, Preferences, Shown};

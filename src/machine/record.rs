@@ -51,6 +51,8 @@ impl Recorder {
             Event::Press(button) => format!("press {}", button.name()),
             Event::Release(button) => format!("release {}", button.name()),
             Event::Wheel(steps) => format!("wheel {steps}"),
+            Event::Hold(modifier, true) => format!("press {}", modifier.name()),
+            Event::Hold(modifier, false) => format!("release {}", modifier.name()),
             Event::Close => "close".to_string(),
         };
         self.line(&line);

@@ -1,6 +1,6 @@
 //! Scripts: played line by line without a display, in virtual time.
 
-use super::event::{Button, Event, Key};
+use super::event::{Button, Event, Key, Modifier};
 use super::session::Session;
 use super::{Language, Manner, Pointing, Settings};
 use crate::screen::Screen;
@@ -20,6 +20,8 @@ pub enum Command {
     Press(Button),
     /// A button goes up.
     Release(Button),
+    /// A modifier goes down (`true`) or up.
+    Hold(Modifier, bool),
     /// The mouse moves to a place and clicks.
     Click(i32, i32, Button),
     /// The mouse goes from one place to another with a button down.
@@ -119,8 +121,14 @@ fn parse_line(line: &str) -> Result<Command, String> {
             Ok(Command::Key(key))
         }
         ("move", [x, y]) => Ok(Command::Move(number(x)?, number(y)?)),
-        ("press", [name]) => Ok(Command::Press(button(name)?)),
-        ("release", [name]) => Ok(Command::Release(button(name)?)),
+        ("press" | "release", [name]) => {
+            let down = verb.trim_end() == "press";
+            match Modifier::from_name(name) {
+                Some(modifier) => Ok(Command::Hold(modifier, down)),
+                None if down => Ok(Command::Press(button(name)?)),
+                None => Ok(Command::Release(button(name)?)),
+            }
+        }
         ("click", [x, y]) => Ok(Command::Click(number(x)?, number(y)?, Button::Left)),
         ("click", [x, y, name]) => Ok(Command::Click(number(x)?, number(y)?, button(name)?)),
         ("drag", [from_x, from_y, to_x, to_y, name @ ..]) if name.len() <= 1 => {
@@ -160,8 +168,8 @@ const FORMS: [(&str, &str); 16] = [
     ("key", "key NAME"),
     ("type", "type TEXT"),
     ("move", "move X Y"),
-    ("press", "press left|right|middle"),
-    ("release", "release left|right|middle"),
+    ("press", "press left|right|middle|shift|ctrl"),
+    ("release", "release left|right|middle|shift|ctrl"),
     ("click", "click X Y [left|right|middle]"),
     ("drag", "drag X1 Y1 X2 Y2 [left|right|middle]"),
     ("wheel", "wheel STEPS"),
@@ -257,6 +265,7 @@ fn events(command: &Command) -> Vec<Event> {
         Command::Move(x, y) => vec![Event::Move(*x, *y)],
         Command::Press(button) => vec![Event::Press(*button)],
         Command::Release(button) => vec![Event::Release(*button)],
+        Command::Hold(modifier, down) => vec![Event::Hold(*modifier, *down)],
         Command::Click(x, y, button) => {
             vec![Event::Move(*x, *y), Event::Press(*button), Event::Release(*button)]
         }

@@ -91,10 +91,15 @@ fn fitting(storage: &dyn Storage, format: Format, endings: &[String]) -> Vec<Fou
 /// The lines that a document is recognised by: its curve, or its net.
 fn lines_of(document: &Document) -> Vec<Vec<Point<2>>> {
     let view = View::from_direction(SPACE_VIEW);
-    if let Document::Net(net) = document {
-        let rows = net.points.iter().cloned();
-        let longest = net.points.iter().map(Vec::len).max().unwrap_or(0);
-        let column = |at: usize| net.points.iter().filter_map(|row| row.get(at).copied()).collect();
+    let net = match document {
+        Document::Net(net) => Some(&net.points),
+        Document::KnotNet(net) => Some(&net.points),
+        _ => None,
+    };
+    if let Some(net) = net {
+        let rows = net.iter().cloned();
+        let longest = net.iter().map(Vec::len).max().unwrap_or(0);
+        let column = |at: usize| net.iter().filter_map(|row| row.get(at).copied()).collect();
         let lines = rows.chain((0..longest).map(column));
         return lines.map(|line| line.into_iter().map(|point| view.place(point)).collect()).collect();
     }

@@ -1,7 +1,7 @@
 //! Keys and mouse of a terminal as programs see them, and a mouse for those who have only keys.
 
 use super::place::{Extent, Place};
-use crate::machine::{Button, Event, Key, PointerSpeed};
+use crate::machine::{Button, Event, Key, Modifier, PointerSpeed};
 use crate::screen::{HEIGHT, WIDTH};
 use crossterm::event::{
     KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
@@ -58,6 +58,8 @@ pub(super) struct Input {
     /// Whether the mouse is told in pixels.
     pixel_mouse: bool,
     held: [Option<By>; 3],
+    /// Whether Shift and Ctrl are down, as the mouse reports it.
+    with: [bool; 2],
 }
 
 /// What holds a button down.
@@ -71,7 +73,7 @@ const BUTTONS: [Button; 3] = [Button::Left, Button::Right, Button::Middle];
 
 impl Input {
     pub(super) fn new(pixel_mouse: bool) -> Input {
-        Input { pixel_mouse, held: [None; 3] }
+        Input { pixel_mouse, held: [None; 3], with: [false; 2] }
     }
 
     /// What a key means; `at` is where the mouse is.
@@ -151,6 +153,17 @@ impl Input {
         BUTTONS.into_iter().filter(move |&button| held[button as usize].is_some()).map(Event::Release)
     }
 
+    /// The modifiers that have gone down or up since the mouse was last heard of.
+    fn modified(&mut self, now: KeyModifiers) -> Vec<Event> {
+        let states = [(Modifier::Shift, KeyModifiers::SHIFT), (Modifier::Ctrl, KeyModifiers::CONTROL)];
+        let changed = |(modifier, flag): (Modifier, KeyModifiers)| {
+            let down = now.contains(flag);
+            let before = std::mem::replace(&mut self.with[modifier as usize], down);
+            (before != down).then_some(Event::Hold(modifier, down))
+        };
+        states.into_iter().filter_map(changed).collect()
+    }
+
     /// Where the mouse is, and what it did there.
     pub(super) fn mouse(&mut self, event: MouseEvent, place: Place, extent: Extent) -> (Event, Vec<Event>) {
         let (x, y) = (f64::from(event.column), f64::from(event.row));
@@ -168,6 +181,7 @@ impl Input {
             MouseEventKind::Moved => self.lost_releases(),
             _ => Vec::new(),
         };
+        let what = self.modified(event.modifiers).into_iter().chain(what).collect();
         (Event::Move(x, y), what)
     }
 }

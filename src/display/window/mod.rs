@@ -9,7 +9,7 @@ mod layout;
 
 use super::Display;
 use super::clock::Clock;
-use crate::machine::{Button, Event, Key, Look, Session};
+use crate::machine::{Button, Event, Key, Look, Modifier, Session};
 use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 use keys::Stroke;
 use layout::Layout;
@@ -259,6 +259,18 @@ impl<'s> View<'s> {
         }
     }
 
+    /// Tells which modifiers are held.
+    fn modify(&mut self, modifiers: ModifiersState) {
+        self.modifiers = modifiers;
+        for (modifier, down) in
+            [(Modifier::Shift, modifiers.shift_key()), (Modifier::Ctrl, modifiers.control_key())]
+        {
+            if self.session.mouse().with(modifier) != down {
+                self.send(Event::Hold(modifier, down));
+            }
+        }
+    }
+
     /// Lets go of every button: their releases may go to another window.
     fn let_go(&mut self) {
         for button in [Button::Left, Button::Right, Button::Middle] {
@@ -316,7 +328,7 @@ impl<'s> View<'s> {
                     self.problem = Some(WindowError::Paint(error.to_string()));
                 }
             }
-            WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
+            WindowEvent::ModifiersChanged(modifiers) => self.modify(modifiers.state()),
             // A synthetic press is a key that was already down when the window got the keyboard.
             WindowEvent::KeyboardInput { event, is_synthetic: false, .. }
                 if event.state == ElementState::Pressed =>

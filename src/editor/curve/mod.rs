@@ -9,7 +9,7 @@ mod commands;
 mod compare;
 mod joints;
 pub mod layer;
-mod points;
+pub(crate) mod points;
 mod tables;
 mod tangents;
 mod workshop;
@@ -24,7 +24,7 @@ use super::seen::{Item, TIP_RADIUS};
 use super::stage::Stage;
 use super::{Craft, Editor};
 use crate::design::{Edit, Place, Sketch};
-use crate::file::{Document, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
+use crate::file::{Document, FIELD, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point};
 use crate::machine::{Asked, Manner, Tick};
 use crate::screen::Color;
@@ -559,7 +559,7 @@ impl Ambient<2> for Curves<2> {
     }
 
     async fn ask_place(editor: &Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<Point<2>> {
-        super::place::ask_place_in_field(desk, editor).await
+        super::place::ask_place_in_field(desk, editor, FIELD).await
     }
 
     async fn change_tangent(

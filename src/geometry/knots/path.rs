@@ -11,6 +11,7 @@ use crate::geometry::Point;
 pub struct KnotPath<'a, const D: usize> {
     curve: &'a KnotCurve<D>,
     knot: usize,
+    copies: usize,
     span: usize,
     u: f64,
 }
@@ -33,8 +34,26 @@ impl<const D: usize> KnotCurve<D> {
     /// A span, knot or `u` that does not exist, [`KnotError::Idle`] for a knot that the arc does not depend on,
     /// [`KnotError::Closed`] for a closed curve of less than `2 k - 2` control points.
     pub fn path(&self, knot: usize, span: usize, u: f64) -> Result<KnotPath<'_, D>, KnotError> {
+        self.path_of_copies(knot, 1, span, u)
+    }
+
+    /// The path of the point at `u` of arc `span` while equal copies of a knot, `knot` the first of them, move together.
+    ///
+    /// # Errors
+    /// As [`KnotCurve::path`]; [`KnotError::Index`] for copies that are not there.
+    pub fn path_of_copies(
+        &self,
+        knot: usize,
+        copies: usize,
+        span: usize,
+        u: f64,
+    ) -> Result<KnotPath<'_, D>, KnotError> {
         let (vector, order) = (self.vector(), self.vector().order());
-        vector.copies(knot)?;
+        let (start, there) = vector.copies(knot)?;
+        if !(1..=start + there - knot).contains(&copies) {
+            let last = start + there - knot;
+            return Err(KnotError::Index { name: "multiplicity", given: copies, first: 1, last });
+        }
         let (first, last) = (order - 1, vector.controls() - 1);
         if !(first..=last).contains(&span) {
             return Err(KnotError::Index { name: "span", given: span, first, last });
@@ -42,20 +61,21 @@ impl<const D: usize> KnotCurve<D> {
         if vector.breaks().is_some() && self.points().len() < 2 * order - 2 {
             return Err(KnotError::Closed);
         }
-        if !(span + 2 - order..span + order).contains(&knot) {
+        let end = knot + copies - 1;
+        if knot >= span + order || end + order < span + 2 {
             return Err(KnotError::Idle { knot });
         }
         // A span beside the knot reaches as far as the knot may move.
         let knots = vector.knots();
-        let from = if span == knot { knots[span - 1] } else { knots[span] };
-        let to = if span + 1 == knot { knots[(knot + 1).min(knots.len() - 1)] } else { knots[span + 1] };
+        let from = if span == end { knots[knot.saturating_sub(1)] } else { knots[span] };
+        let to = if span + 1 == knot { knots[(end + 1).min(knots.len() - 1)] } else { knots[span + 1] };
         if from >= to {
             return Err(KnotError::EmptySpan { span });
         }
         if !(u >= from && u <= to) {
             return Err(KnotError::Outside { name: "u", value: u, range: [from, to] });
         }
-        Ok(KnotPath { curve: self, knot, span, u })
+        Ok(KnotPath { curve: self, knot, copies, span, u })
     }
 
     /// The arcs that change with a knot and have a length, as spans.
@@ -78,10 +98,10 @@ impl<const D: usize> KnotPath<'_, D> {
     /// The number of the span, counted away from the knot: 1 for its neighbours.
     #[must_use]
     pub fn side(&self) -> usize {
-        if self.span < self.knot { self.knot - self.span } else { self.span + 1 - self.knot }
+        if self.span < self.knot { self.knot - self.span } else { self.span + 2 - self.knot - self.copies }
     }
 
-    /// The order `k - m` of theorem 2.4: the degree of the rational functions of the knot; 1 is straight.
+    /// The order `k - m` of theorem 2.4: the degree of the rational functions of a single knot; 1 is straight.
     #[must_use]
     pub fn order(&self) -> usize {
         self.curve.vector().order() - self.side()
@@ -91,7 +111,7 @@ impl<const D: usize> KnotPath<'_, D> {
     #[must_use]
     pub fn straight(&self) -> Option<Straight<D>> {
         let order = self.curve.vector().order();
-        if self.side() + 1 != order {
+        if self.copies != 1 || self.side() + 1 != order {
             return None;
         }
         let first = if self.span < self.knot { self.span - 1 } else { self.span + 1 - order };
@@ -109,7 +129,7 @@ impl<const D: usize> KnotPath<'_, D> {
 
     fn homogeneous(&self, value: f64) -> Option<Hom<D>> {
         let mut knots = self.curve.vector().knots().to_vec();
-        *knots.get_mut(self.knot)? = value;
+        knots.get_mut(self.knot..self.knot + self.copies)?.fill(value);
         self.curve.homogeneous_in(&knots, self.span, self.u)
     }
 

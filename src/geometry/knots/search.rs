@@ -56,6 +56,43 @@ impl KnotCurve<2> {
         Ok((way, self.polished(way, point, around, found)))
     }
 
+    /// All curves through a point that [`KnotCurve::through_any`] compares, that with the least move of the knots first:
+    /// the best of every way. Curves of other orders and rational ones only by one knot.
+    ///
+    /// # Errors
+    /// [`KnotError::Unreached`] outside the reachable region, [`KnotError::Closed`].
+    pub fn through_every(&self, point: Point<2>) -> Result<Vec<(Way, Through<2>)>, KnotError> {
+        let mut all: Vec<(f64, Way, Through<2>)> = Vec::new();
+        let ways = if check_cubic(self, point).is_ok() { self.ways() } else { Vec::new() };
+        for (way, [from, to]) in ways {
+            let step = (to - from) / f64::from(PLACES + 1);
+            let places = (1..=PLACES).map(|place| from + step * f64::from(place));
+            let tried = places.filter_map(|at| {
+                let found = self.by(way, point, at)?;
+                Some((found.effort(self.vector()), at, found))
+            });
+            if let Some((_, at, found)) = tried.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                let found = self.polished(way, point, [at - step, at + step], found);
+                all.push((found.effort(self.vector()), way, found));
+            }
+        }
+        for knot in 1..self.vector().knots().len() - 1 {
+            match self.through_knot(point, knot) {
+                Ok(found) => {
+                    let found = found.into_iter().map(|it| (it.effort(self.vector()), Way::Knot(knot), it));
+                    all.extend(found);
+                }
+                Err(error @ (KnotError::Closed | KnotError::Points(_))) => return Err(error),
+                Err(_) => {}
+            }
+        }
+        if all.is_empty() {
+            return Err(Unreached::NotFound.into());
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(all.into_iter().map(|(_, way, found)| (way, found)).collect())
+    }
+
     /// The point nearest to an unreachable one that the same search reaches on the way straight to the curve; the
     /// point itself where it is reached.
     ///

@@ -1,4 +1,6 @@
-//! Curves by their knots as documents, and back.
+//! Curves by their knots as documents, and back, and their named edits.
+
+pub mod edit;
 
 use super::DesignError;
 use crate::file::{KnotPoints, Places};

@@ -1,0 +1,5 @@
+//! CSOMO; all of it is [`grafika::programs::csomo`].
+
+fn main() -> std::process::ExitCode {
+    grafika::programs::csomo::PROGRAM.main()
+}
