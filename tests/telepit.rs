@@ -193,10 +193,10 @@ fn a_visit_to_the_installer() {
     terminal.wait_for("Space select");
     terminal.send(&format!("{DOWN} "));
     terminal.wait_for("V GB_2D");
-    // A click chooses, a second one marks: JATEK is the ninth line.
-    terminal.send("\x1b[<0;6;11M\x1b[<0;6;11m");
+    // A click chooses, a second one marks: JATEK is the eleventh line.
+    terminal.send("\x1b[<0;6;13M\x1b[<0;6;13m");
     terminal.wait_for("BILIARD GYONGY_K CSANGO_K");
-    terminal.send("\x1b[<0;6;11M\x1b[<0;6;11m");
+    terminal.send("\x1b[<0;6;13M\x1b[<0;6;13m");
     terminal.wait_for("V JATEK");
     terminal.resize(40, 10);
     terminal.wait_for("at least 48x12");
