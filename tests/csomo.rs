@@ -293,8 +293,8 @@ fn documents_are_saved_and_read_again() {
 
 fn of_document(text: &str) -> Result<Value, String> {
     let document = Document::from_json(text).map_err(|error| error.to_string())?;
-    (PROGRAM.start)(Some(document.clone()))
-        .map_err(|problem| problem.of(grafika::machine::Language::English).to_owned())?;
+    let start = (PROGRAM.start)(Some(document.clone()));
+    drop(start.map_err(|problem| problem.of(grafika::machine::Language::English).to_owned())?);
     let machine = Machine::new(Box::new(Memory::default()), Settings::default());
     let mut kept = Kept::default();
     let script = Script::parse("dump end.json").expect("it is right");

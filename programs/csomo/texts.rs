@@ -43,16 +43,16 @@ pub(super) const NO_KNOT: Words = Words("Nincs ilyen csomó", "No such knot");
 pub(super) const NOT_REACHED: Words = Words("Nem érhető el. O: legközelebb", "Out of reach. O: nearest");
 
 pub(super) const HINT_FIRST: Words = Words(
-    "Kattintson a mezőbe: minden kattintás egy pont. Görbe annyi ponttól van, amennyi a rend.",
-    "Click in the field: each click a point. A curve needs as many points as its order.",
+    "Kattintson a mezőbe: pontok. A görbéhez annyi kell, amennyi a rend.",
+    "Click points into the field. A curve needs as many as its order.",
 );
 pub(super) const HINT_EDIT: Words = Words(
-    "Húzzon pontot vagy csomót (lent). P pálya U burok A átmegy. Tab: más csomó. F1 súgó",
-    "Drag a point or a knot (below). P paths, U envelope A through. Tab: next knot. F1",
+    "Húzzon pontot vagy csomót. P pálya, U burok, A átmegy, Tab másik. F1 súgó",
+    "Drag a point or a knot. P paths, U envelope, A through, Tab next. F1 help",
 );
 pub(super) const HINT_KNOT: Words = Words(
-    "A csomó a szomszédainál áll meg; Shift: a képletek tovább is érvényesek. Esc: mégsem",
-    "The knot stops at its neighbours; Shift: formulas go on beyond. Esc: cancel",
+    "A csomó a szomszédainál áll meg, Shift: tovább. Esc: mégsem",
+    "The knot stops at its neighbours; Shift: on beyond. Esc: cancel",
 );
 pub(super) const HINT_POINT: Words = Words(
     "Engedje el, ahol legyen; a mezőn kívül törlődik. Esc: mégsem",
@@ -73,8 +73,8 @@ pub(super) const ROW_ENTRY: Words = Words("Sor (u):", "Row (u):");
 pub(super) const COLUMN_ENTRY: Words = Words("Oszlop (v):", "Column (v):");
 pub(super) const TARGET: Words = Words("Cél", "Target");
 pub(super) const HINT_NET: Words = Words(
-    "Húzzon pontot vagy csomót: u lent, v balra. U burok, A átmegy, Tab más. F5 görbék",
-    "Drag a point or a knot: u below, v at the left. U envelope A through. F5 curves",
+    "Húzzon pontot vagy csomót. U burok, A átmegy, Tab másik. F5 görbék",
+    "Drag a point or a knot. U envelope, A through, Tab next. F5 curves",
 );
 pub(super) const HINT_NET_KNOT: Words = Words(
     "A csomó a szomszédainál áll meg; a burok marad. Esc: mégsem",
@@ -189,7 +189,7 @@ pub(super) fn would_move(knot: usize, by: f64) -> Phrase {
 /// How a curve goes through the target, and which of the solutions it is.
 pub(super) fn solution(way: Way, at: usize, count: usize, effort: f64) -> Phrase {
     let (hungarian, english) = match way {
-        Way::Outer(span) => (format!("{span}. ív két szélső csomója"), format!("outer knots of span {span}")),
+        Way::Outer(span) => (format!("{span}. ív szélső csomói"), format!("outer knots of span {span}")),
         Way::Pair(knot, pair) => {
             let (hungarian, english) = pair_names(pair);
             (format!("u{knot} és a {hungarian} pár"), format!("u{knot}, {english} pair"))
@@ -198,8 +198,8 @@ pub(super) fn solution(way: Way, at: usize, count: usize, effort: f64) -> Phrase
     };
     let effort = number(effort);
     Phrase::new(
-        format!("{at}/{count}: {hungarian}, mozgás {effort}. Enter: kell, Bal Jobb: másik, Esc"),
-        format!("{at}/{count}: {english}, move {effort}. Enter takes, Left Right: others, Esc"),
+        format!("{at}/{count}: {hungarian} ({effort}). Enter: kell, Bal Jobb: másik, Esc"),
+        format!("{at}/{count}: {english} ({effort}). Enter takes, Left Right others, Esc"),
     )
 }
 
