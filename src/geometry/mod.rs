@@ -63,6 +63,7 @@ pub mod ph;
 mod pn;
 mod point;
 pub mod shaped;
+pub mod skin;
 mod smooth;
 mod spline;
 mod surface;
