@@ -30,23 +30,34 @@ mod ball;
 mod circles;
 mod clear;
 mod contact;
+mod end_cap;
 mod error;
+mod frame;
 mod graph;
 mod hermite;
 mod links;
 mod outline;
 mod plane;
 mod rules;
+mod solid;
+mod spheres;
+mod touching;
+mod tube;
 
 pub use apollonius::{Apollonius, PowerPoint, RadicalLine, TouchingShape};
 pub use ball::{Ball, Circle, Sphere};
 pub use circles::Circles;
 pub use clear::Clearing;
+pub use end_cap::EndCap;
 pub use error::SkinError;
 pub use links::Links;
 pub use outline::{Cap, Outline, Piece, SkinArc};
 pub use plane::{Side, Skin, Touch};
 pub use rules::Violation;
+pub use solid::{Arm, MESH_STEPS, SkinMesh, SphereSkin};
+pub use spheres::Spheres;
+pub use touching::TouchingCircle;
+pub use tube::{Tube, TubeSpan};
 
 /// The largest number of circles or spheres.
 pub const MAX_BALLS: usize = 1000;

@@ -56,6 +56,19 @@ impl Violation {
 }
 
 impl Violation {
+    /// The same with the numbers that a list has in these places.
+    pub(super) fn renumbered(&self, list: &[usize]) -> Self {
+        let at = |number: usize| list.get(number).copied().unwrap_or(number);
+        match *self {
+            Self::Covered { number } => Self::Covered { number: at(number) },
+            Self::Meet { numbers } => Self::Meet { numbers: numbers.map(at) },
+            Self::MeetOutside { numbers, middle } => {
+                Self::MeetOutside { numbers: numbers.map(at), middle: at(middle) }
+            }
+            Self::NoHole { numbers } => Self::NoHole { numbers: numbers.map(at) },
+        }
+    }
+
     /// What is wrong in a sentence about a `circle` or a `sphere`.
     #[must_use]
     pub fn sentence(&self, noun: &str) -> String {

@@ -3,6 +3,7 @@
 mod laws;
 #[rustfmt::skip]
 mod reference;
+mod space;
 mod values;
 mod wild;
 

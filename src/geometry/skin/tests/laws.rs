@@ -226,7 +226,7 @@ fn verdict(farthest: f64, spacing: f64) -> Option<bool> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
     fn rules_mean_what_samples_say(discs in crowds()) {

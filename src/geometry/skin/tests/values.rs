@@ -1,6 +1,6 @@
 //! The values of the table.
 
-use super::reference::{CHAINS, RULES, TREES};
+use super::reference::{CHAINS, RULES, SPHERES, TREES};
 use super::*;
 
 /// The largest coordinate or radius, by which errors are measured.
@@ -83,6 +83,24 @@ fn cleared_arcs_keep_out_of_the_discs_of_the_table() {
                     arc.circles.map(|k| circles.circles()[k]).map(|disc| disc.radius - disc.distance(point));
                 assert!(deep.iter().all(|deep| *deep < 1e-8 * size(rows)));
             }
+        }
+    }
+}
+
+#[test]
+fn touching_circles_are_those_of_the_table() {
+    for (rows, expected) in SPHERES {
+        let spheres = rows.iter().map(|[x, y, z, r]| Sphere::new([*x, *y, *z], *r)).collect();
+        let spheres = Spheres::chain(spheres).unwrap();
+        assert!(spheres.is_admissible());
+        let skin = spheres.skin(Clearing::Plain);
+        assert!(skin.is_whole() && skin.unclear().is_empty());
+        let found = skin.circles();
+        assert_eq!(found.len(), expected.len());
+        for (number, (found, (center, axis, radius))) in found.iter().zip(*expected).enumerate() {
+            assert_eq!(found.sphere, number);
+            assert!(apart(found.center, *center) < 1e-13 && apart(found.axis, *axis) < 1e-13, "{found:?}");
+            assert!((found.radius - radius).abs() < 1e-13);
         }
     }
 }
