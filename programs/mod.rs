@@ -3,6 +3,7 @@
 
 pub mod alakpar;
 pub mod biliard;
+pub mod burkolo;
 pub mod csango_k;
 pub mod csav_gy;
 pub mod eg_kz_k;
@@ -75,6 +76,7 @@ pub const ALL: &[Program] = &[
     ph_gorbe::PROGRAM,
     pn_felul::PROGRAM,
     alakpar::PROGRAM,
+    burkolo::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,
@@ -128,9 +130,9 @@ mod tests {
     #[test]
     fn every_format_belongs_to_a_program() {
         // Rational curves and patches are made for other programs; `grafika render` shows them.
-        use Format::{Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
+        use Format::{Csf, Csm, Rbc, Rbs, Som};
         let opened =
-            Format::ALL.iter().filter(|format| ![Rbc, Rbs, Csm, Csf, Som, Kor, Gom].contains(format));
+            Format::ALL.iter().filter(|format| ![Rbc, Rbs, Csm, Csf, Som].contains(format));
         assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }
 }

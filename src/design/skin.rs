@@ -1,7 +1,7 @@
-//! Circles with a skin as documents, and back.
+//! Circles and spheres with a skin as documents, and back.
 
 use crate::file;
-use crate::geometry::skin::{Circle, Circles, Links, Outline, Piece, Skin, SkinError};
+use crate::geometry::skin::{Circle, Circles, Links, Outline, Piece, Skin, SkinError, Sphere, Spheres};
 
 /// The circles of a document.
 ///
@@ -29,6 +29,15 @@ pub fn document(circles: &Circles) -> file::Circles {
             Links::Chain | Links::Ring => None,
         },
     }
+}
+
+/// The spheres of a document.
+///
+/// # Errors
+/// Those of [`Spheres::new`].
+pub fn spheres(document: &file::Spheres) -> Result<Spheres, SkinError> {
+    let balls = document.spheres.iter().map(|&[x, y, z, r]| Sphere::new([x, y, z], r)).collect();
+    Spheres::new(balls, document.chains.clone().unwrap_or_default(), document.closed)
 }
 
 /// The outlines of a skin, with the caps of the end circles or open at them.

@@ -14,6 +14,8 @@ const SKIN_WIDTH: f64 = 2.0;
 /// What a skin is filled with.
 const FILLING: [u8; 3] = [214, 222, 246];
 const PAPER: [u8; 3] = [255, 255, 255];
+/// Steps of a piece for the area that an outline encloses.
+const STEPS: usize = 8;
 
 impl Figure {
     /// Adds the rims of circles, with their numbers from 1 on at the middles.
@@ -21,11 +23,16 @@ impl Figure {
     /// # Errors
     /// Those of [`ParamCurve::to_cubics`].
     pub fn plot_discs(&mut self, circles: &[Circle]) -> Result<(), GeometryError> {
-        for (number, circle) in (1..).zip(circles) {
-            let number: usize = number;
-            self.curve(cubics(&whole(circle))?, Closure::Closed, Style::line(DISC_INK, DISC_WIDTH));
-            self.disc(circle.center, 1.0, Style::filled(DISC_INK, DISC_INK), Some(number.to_string()));
-        }
+        circles.iter().zip(1..).try_for_each(|(circle, number)| self.plot_disc(circle, number))
+    }
+
+    /// Adds the rim of a circle with its number.
+    ///
+    /// # Errors
+    /// Those of [`ParamCurve::to_cubics`].
+    pub fn plot_disc(&mut self, circle: &Circle, number: usize) -> Result<(), GeometryError> {
+        self.curve(cubics(&whole(circle))?, Closure::Closed, Style::line(DISC_INK, DISC_WIDTH));
+        self.disc(circle.center, 1.0, Style::filled(DISC_INK, DISC_INK), Some(number.to_string()));
         Ok(())
     }
 
@@ -43,7 +50,7 @@ impl Figure {
         let arcs = cubics(&outline.pieces)?;
         let closure = if outline.closed { Closure::Closed } else { Closure::Open };
         let line = Style::line(ink, SKIN_WIDTH);
-        let fill = if is_hole(&arcs) { PAPER } else { FILLING };
+        let fill = if is_hole(outline) { PAPER } else { FILLING };
         let style = Style { fill: Some(fill).filter(|_| filled && outline.closed), ..line };
         self.curve(arcs, closure, style);
         Ok(())
@@ -82,9 +89,10 @@ fn whole(circle: &Circle) -> [Piece; 1] {
     [Piece::Cap(Cap { circle: 0, disc: *circle, start, end: start, angles: [0.0, TAU] })]
 }
 
-/// Whether arcs run clockwise, by the area of the polygon of their control points.
-fn is_hole(arcs: &[CubicBezier<2>]) -> bool {
-    let points: Vec<Point<2>> = arcs.iter().flat_map(|arc| arc.p).collect();
+/// Whether an outline runs clockwise, with the discs outside: the inner one of a ring.
+#[must_use]
+pub fn is_hole(outline: &Outline) -> bool {
+    let points = outline.polyline(STEPS).unwrap_or_default();
     let next = points.iter().cycle().skip(1);
     let Some([x, y]) = points.first() else { return false };
     let area = |([a, b], [c, d]): (&Point<2>, &Point<2>)| (a - x) * (d - y) - (c - x) * (b - y);
@@ -165,8 +173,18 @@ mod tests {
         figure.plot_outline(&skin(), [0, 0, 0], true).unwrap();
         figure.plot_discs(&[Circle { center: [0.0; 2], radius: 1.0 }]).unwrap();
         assert!(figure.to_svg().unwrap().contains("#d6def6"));
-        let turned: Vec<CubicBezier<2>> = cubics(&skin().pieces).unwrap();
-        assert!(!is_hole(&turned));
-        assert!(is_hole(&turned.iter().rev().map(CubicBezier::reversed).collect::<Vec<_>>()));
+    }
+
+    #[test]
+    fn the_inner_outline_of_a_ring_is_a_hole() {
+        assert!(!is_hole(&skin()));
+        let circle = |k: u8| {
+            let (sine, cosine) = (f64::from(k) * 45.0).to_radians().sin_cos();
+            Circle { center: [5.0 * cosine, 5.0 * sine], radius: 1.5 }
+        };
+        let ring = Circles::new((0..8).map(circle).collect(), crate::geometry::skin::Links::Ring).unwrap();
+        let mut holes: Vec<bool> = ring.skin(Clearing::Scaled).loops.iter().map(is_hole).collect();
+        holes.sort_unstable();
+        assert_eq!(holes, [false, true]);
     }
 }

@@ -1,4 +1,7 @@
-//! `grafika skin`: the skin of circles as a picture, as JSON or exactly for CAD programs, and whether there is one.
+//! `grafika skin`: the skin of circles or spheres as a picture, as JSON, as a mesh or exactly for CAD programs, and
+//! whether there is one.
+
+mod spheres;
 
 use crate::render::{Format, picture};
 use crate::sample::extension;
@@ -18,25 +21,26 @@ use std::path::PathBuf;
   grafika skin KIGYO.KOR -o snake.svg --caps
   grafika skin VILLA.KOR -o fork.json
   grafika skin GYURU.KOR -o ring.step
+  grafika skin CSIGA.GOM -o snail.stl
   grafika skin ROSSZ.KOR --check
 
-Circles are counted from 0 in JSON, and from 1 in sentences and pictures.")]
+Circles and spheres are counted from 0 in JSON, and from 1 in sentences and pictures.")]
 pub(crate) struct SkinCommand {
     #[command(flatten)]
     source: Source,
-    /// Leave arcs as they are that cut into their discs
+    /// Leave arcs as they are that cut into their circles or spheres
     #[arg(long)]
     plain: bool,
-    /// Close the outline around the end circles
+    /// Close the outline around the end circles; the surface over spheres is always closed
     #[arg(long)]
     caps: bool,
-    /// Tell whether the circles are admissible, and which rules they break; nothing is written
+    /// Tell whether the circles or spheres are admissible, and which rules they break; nothing is written
     #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to"])]
     check: bool,
-    /// Where to write: .svg, .pdf, .png, .json, .step
+    /// Where to write: .svg, .pdf, .png, .json, .step; of spheres also .stl, .obj, .ply
     #[arg(short, long, value_name = "OUT", required_unless_present = "check")]
     output: Option<PathBuf>,
-    /// Format of what is written (svg, pdf, png, json, step), where no name says it
+    /// Format of what is written (svg, pdf, png, json, step, stl, obj, ply), where no name says it
     #[arg(long, value_name = "EXT", value_parser = Wanted::parse)]
     to: Option<Wanted>,
 }
@@ -57,7 +61,7 @@ impl Wanted {
     }
 }
 
-const FORMATS: &str = "skins are written as .svg .pdf .png .json .step";
+const FORMATS: &str = "skins are written as .svg .pdf .png .json .step, of spheres also as .stl .obj .ply";
 
 impl SkinCommand {
     /// Computes and writes.
@@ -65,21 +69,23 @@ impl SkinCommand {
         let wanted = if self.check { Wanted::Json } else { self.wanted()? };
         let opened = self.source.open()?;
         let name = opened.name;
-        let Document::Circles(document) = opened.document else {
-            return Err(Failure::work(format!("{name} holds no circles; files .KOR do")));
+        let document = match opened.document {
+            Document::Circles(document) => document,
+            Document::Spheres(document) => return self.of_spheres(&name, &document),
+            _ => {
+                let message = format!("{name} holds no circles or spheres; files .KOR and .GOM do");
+                return Err(Failure::work(message));
+            }
         };
         let circles = circles(&document).map_err(|error| Failure::work(format!("{name}: {error}")))?;
         let violations = circles.violations();
         if self.check {
-            return check(&name, &violations);
+            return check(&name, &violations, "circle");
         }
         let alive = progress::alive("putting on the skin");
         let skin = circles.skin(if self.plain { Clearing::Plain } else { Clearing::Scaled });
         if !skin.is_whole() {
-            return Err(Failure::work(format!(
-                "{name}: there is no whole skin: {}",
-                missing(&violations, &skin)
-            )));
+            return Err(complain(&name, &violations, "circle", skin.missing.first().copied()));
         }
         let content = match wanted {
             Wanted::Json => format!("{}\n", written(&circles, &skin)).into_bytes(),
@@ -107,10 +113,8 @@ impl SkinCommand {
     fn content(&self, circles: &Circles, skin: &Skin, format: Format) -> Result<Vec<u8>, Failure> {
         let outlines = outlines(skin, self.caps);
         if format == Format::Step {
-            let name = self.output.as_deref().and_then(|path| path.file_stem());
-            let name = name.map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
             let curves: Vec<_> = outlines.iter().map(outline_step).collect();
-            return curves_step(&curves, &name).map(String::into_bytes).map_err(Failure::work);
+            return curves_step(&curves, &self.part_name()).map(String::into_bytes).map_err(Failure::work);
         }
         if format.is_model() {
             return Err(Failure::usage("meshes are of spheres; the skin of circles is a curve"));
@@ -122,19 +126,26 @@ impl SkinCommand {
         }
         picture(&figure, format, NOMINAL_WIDTH)
     }
-}
 
-/// Why something of a skin is missing: the rule that is broken, else where.
-fn missing(violations: &[Violation], skin: &Skin) -> String {
-    match (violations.first(), skin.missing.first()) {
-        (Some(violation), _) => violation.to_string(),
-        (None, Some(circle)) => format!("circle {} has no touching point", circle + 1),
-        (None, None) => "a single circle has none".to_owned(),
+    /// The name of the part in .step.
+    fn part_name(&self) -> String {
+        let stem = self.output.as_deref().and_then(|path| path.file_stem());
+        stem.map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
     }
 }
 
-/// Tells whether circles are admissible.
-fn check(name: &str, violations: &[Violation]) -> Result<(), Failure> {
+/// Why something of a skin is missing: the rule that is broken, else where.
+fn complain(name: &str, violations: &[Violation], noun: &str, missing: Option<usize>) -> Failure {
+    let why = match (violations.first(), missing) {
+        (Some(violation), _) => violation.sentence(noun),
+        (None, Some(number)) => format!("nothing touches {noun} {}", number + 1),
+        (None, None) => format!("a single {noun} has none"),
+    };
+    Failure::work(format!("{name}: there is no whole skin: {why}"))
+}
+
+/// Tells whether circles or spheres are admissible.
+fn check(name: &str, violations: &[Violation], noun: &str) -> Result<(), Failure> {
     let rows: Vec<Value> =
         violations.iter().map(|it| json!({ "rule": it.rule(), "circles": it.numbers() })).collect();
     let answer = json!({ "admissible": rows.is_empty(), "violations": rows });
@@ -142,7 +153,7 @@ fn check(name: &str, violations: &[Violation]) -> Result<(), Failure> {
     match violations {
         [] => Ok(()),
         all => {
-            let sentences: Vec<String> = all.iter().map(Violation::to_string).collect();
+            let sentences: Vec<String> = all.iter().map(|violation| violation.sentence(noun)).collect();
             Err(Failure::work(format!("{name} is not admissible: {}", sentences.join("; "))))
         }
     }
