@@ -14,7 +14,6 @@ mod kinds;
 mod layers;
 mod model;
 mod obey;
-mod passage;
 mod points;
 mod room;
 mod texts;
@@ -22,11 +21,11 @@ mod traces;
 
 use super::groups;
 use crate::editor;
+use crate::editor::passage::Passage;
 use crate::file::{Document, Format};
 use crate::machine::{Asked, Machine};
 use crate::ui::{CommandLine, Demo, Manual, Phrase, Program, Start, Words};
 use craft::Shaper;
-use passage::Passage;
 use std::rc::Rc;
 
 const MANUAL: Manual = Manual {

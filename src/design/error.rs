@@ -4,6 +4,7 @@ use crate::file::{Format, MAX_POINTS, Method};
 use crate::geometry::GeometryError;
 use crate::geometry::ec::EcError;
 use crate::geometry::knots::KnotError;
+use crate::geometry::skin::SkinError;
 use std::fmt;
 
 /// Why a document describes no curve or surface, or none that an editor can edit.
@@ -57,6 +58,8 @@ pub enum DesignError {
     Geometry(GeometryError),
     /// Knots, weights or points of a curve by its knots are wrong.
     Knots(KnotError),
+    /// Circles, or how they hang together, are wrong.
+    Skin(SkinError),
     /// Fewer control points than the order of a curve by its knots.
     Unfinished {
         /// How many there are.
@@ -85,11 +88,17 @@ impl From<KnotError> for DesignError {
     }
 }
 
+impl From<SkinError> for DesignError {
+    fn from(error: SkinError) -> DesignError {
+        DesignError::Skin(error)
+    }
+}
+
 impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DesignError::NoShape => f.write_str(
-                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC, .RBS, .CSM, .CSF and .ALP do",
+                "this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC, .RBS, .CSM, .CSF, .ALP and .KOR do",
             ),
             DesignError::NoMethod => f.write_str("which method? Give --method, as in --method spline"),
             DesignError::Needs(Method::Fourier) => {
@@ -147,6 +156,7 @@ impl fmt::Display for DesignError {
             ),
             DesignError::Geometry(error) => error.fmt(f),
             DesignError::Knots(error) => error.fmt(f),
+            DesignError::Skin(error) => error.fmt(f),
             DesignError::Unfinished { points, order } => write!(
                 f,
                 "{points} control points are no curve of order {order} yet; {order} are needed"

@@ -15,6 +15,7 @@ pub mod offset;
 pub mod ph;
 pub mod shaped;
 mod sketch;
+pub mod skin;
 
 pub use edit::{Edit, Place};
 pub use error::DesignError;
@@ -25,10 +26,11 @@ pub(crate) use sketch::follow;
 
 use crate::file::ec::EcDocument;
 use crate::file::{
-    CurveSettings, Document, FamilyName, Format, KnotNet, KnotPoints, Method, NetSettings, Patches, Places,
-    RationalSpans, ShapedPoints, SpacePoints,
+    Circles, CurveSettings, Document, FamilyName, Format, KnotNet, KnotPoints, Method, NetSettings, Patches,
+    Places, RationalSpans, ShapedPoints, SpacePoints,
 };
 use crate::geometry::ph::Knots;
+use crate::geometry::skin::{Clearing, Outline};
 use crate::geometry::{Closure, ParamCurve, ParamSurface, Point};
 
 /// What a document describes.
@@ -54,6 +56,8 @@ pub enum Design {
     KnotNet(Box<KnotNet>),
     /// A curve with shape parameters.
     Shaped(Box<ShapedPoints>),
+    /// The skin of circles.
+    Skin(Box<Circles>),
 }
 
 /// A curve or a surface.
@@ -67,6 +71,8 @@ pub enum Shape {
     Surface(Box<dyn ParamSurface>),
     /// Arcs and patches, which need not meet.
     Parts(ec::EcShapes),
+    /// The outlines of a skin.
+    Outlines(Vec<Outline>),
 }
 
 impl Design {
@@ -86,12 +92,12 @@ impl Design {
             Document::Knots(knots) => Ok(Design::Knots(knots)),
             Document::KnotNet(net) => Ok(Design::KnotNet(net)),
             Document::Shaped(shaped) => Ok(Design::Shaped(shaped)),
+            Document::Circles(circles) => Ok(Design::Skin(circles)),
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
             | Document::Billiards(_)
             | Document::Som(_)
-            | Document::Circles(_)
             | Document::Spheres(_)
             | Document::Cloud(_) => Err(DesignError::NoShape),
         }
@@ -119,6 +125,7 @@ impl Design {
                 shaped::Curve::Plane(curve) => Shape::Plane(Box::new(curve)),
                 shaped::Curve::Space(curve) => Shape::Space(Box::new(curve)),
             },
+            Design::Skin(circles) => Shape::Outlines(skin::circles(circles)?.skin(Clearing::Scaled).loops),
         })
     }
 }

@@ -13,6 +13,7 @@ pub mod fourier;
 pub mod keys;
 pub(crate) mod lens;
 pub mod net;
+pub(crate) mod passage;
 pub(crate) mod picture;
 pub(crate) mod place;
 pub(crate) mod refusal;

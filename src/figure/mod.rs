@@ -40,6 +40,7 @@ mod plot;
 mod raster;
 mod screen_png;
 mod screen_shapes;
+mod skin;
 mod step;
 mod step_curve;
 mod stl;
@@ -57,6 +58,7 @@ pub use picture::{Figure, LARGEST_WIDTH, LONGEST_CAPTION, NOMINAL_WIDTH, SMALLES
 pub use plot::{CURVE_INK, Hidden, closure, print_ink, tolerance};
 pub use screen_png::{LARGEST_SCALE, screen_png, screen_png_of_scale};
 pub use screen_shapes::{screen_pdf, screen_svg};
+pub use skin::{is_hole, outline_step};
 pub use step::{surface_step, surfaces_step};
 pub use step_curve::{StepCurve, curves_step};
 pub use stl::Stl;

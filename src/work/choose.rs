@@ -129,6 +129,9 @@ fn lines_of(document: &Document) -> Vec<Vec<Point<2>>> {
             lines.extend(grids.flat_map(|grid| all_lines(&grid, &view)));
             lines
         }
+        Ok(Shape::Outlines(outlines)) => {
+            outlines.iter().map(|outline| outline.polyline(STEPS).unwrap_or_default()).collect()
+        }
         Ok(Shape::Surface(_)) | Err(_) => Vec::new(),
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn rows(design: &Design, shape: &Shape, at: &[f64], derivatives: usiz
         _ => match shape {
             Shape::Plane(curve) => table(at, derivatives, |u| by_span(&**curve, u)),
             Shape::Space(curve) => table(at, derivatives, |u| by_span(&**curve, u)),
-            Shape::Surface(_) | Shape::Parts(_) => {
+            Shape::Surface(_) | Shape::Parts(_) | Shape::Outlines(_) => {
                 Err(Failure::usage("--at is for single curves; this file holds something else"))
             }
         },

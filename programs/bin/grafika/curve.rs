@@ -74,7 +74,8 @@ impl CurveArgs {
             | Design::Patches(_)
             | Design::Knots(_)
             | Design::KnotNet(_)
-            | Design::Shaped(_)) => {
+            | Design::Shaped(_)
+            | Design::Skin(_)) => {
                 let given = [
                     ("--method", self.method.is_some()),
                     ("--closed", self.closed),
@@ -163,6 +164,7 @@ pub(crate) fn failure(name: &str, error: &DesignError) -> Failure {
     match error {
         DesignError::Geometry(_)
         | DesignError::Knots(_)
+        | DesignError::Skin(_)
         | DesignError::Unfinished { .. }
         | DesignError::Ec { .. }
         | DesignError::NoMatrix

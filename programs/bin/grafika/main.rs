@@ -16,6 +16,7 @@ mod reference;
 mod render;
 mod sample;
 mod shape;
+mod skin;
 mod smooth;
 mod solve;
 mod source;
@@ -102,6 +103,8 @@ enum Command {
     Knots(knots::Knots),
     /// What becomes of a curve when shape parameters change; those that bring it through points
     Shape(shape::Shape),
+    /// The skin of circles: a smooth outline that touches each of them
+    Skin(skin::SkinCommand),
     /// Install programs with their samples into a folder, on a page of text or as a plain command
     #[command(after_help = Install::examples("grafika install"))]
     Install(Install),
@@ -155,6 +158,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Exact(exact)) => exact.run(),
         Some(Command::Knots(knots)) => knots.run(),
         Some(Command::Shape(shape)) => shape.run(),
+        Some(Command::Skin(skin)) => skin.run(),
         Some(Command::Install(install)) => install.run(),
         Some(Command::Config(config)) => config.run(),
         Some(Command::Completions(completions)) => completions.run(),

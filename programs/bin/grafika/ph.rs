@@ -26,7 +26,8 @@ impl PhShape {
             | Design::Patches(_)
             | Design::Knots(_)
             | Design::KnotNet(_)
-            | Design::Shaped(_) => {
+            | Design::Shaped(_)
+            | Design::Skin(_) => {
                 return Err(Failure::usage(format!("{name} holds no control points of a PH curve")));
             }
         };

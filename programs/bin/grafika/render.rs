@@ -8,14 +8,15 @@ use crate::sample::{SURFACE_STEPS, extension};
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::offset::curve as curve_of;
-use grafika::design::{Controls, Design, NetDesign, Shape, knots, shaped};
+use grafika::design::{Controls, Design, NetDesign, Shape, knots, shaped, skin};
 use grafika::figure::{
     Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, MODEL_TOLERANCE, ModelFormat, ModelOptions,
-    NOMINAL_WIDTH, OFFSET_INK, SMALLEST_WIDTH, StepCurve, closure, curves_step, print_ink,
+    NOMINAL_WIDTH, OFFSET_INK, SMALLEST_WIDTH, StepCurve, closure, curves_step, outline_step, print_ink,
 };
 use grafika::file::ec::{EcCurve, EcDocument, Item};
-use grafika::file::{Method, SPACE_VIEW};
+use grafika::file::{Circles, Method, SPACE_VIEW};
 use grafika::geometry::ph::{Offset, PhCurve, RationalArc, RationalCurve};
+use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
@@ -122,6 +123,9 @@ impl Render {
             }
             self.measure(&mut figure, view, [bounds, None]);
             return self.picture(&figure, format);
+        }
+        if let (Design::Skin(circles), Shape::Outlines(outlines)) = (&design, shape) {
+            return self.skin(circles, outlines, format);
         }
         if format == Format::Step
             && let Some(curve) = self.step_curve(&design, shape)?
@@ -307,6 +311,39 @@ impl Render {
             }
         };
         Ok(Some(StepCurve { arcs, closed: curve.closed() }))
+    }
+
+    /// The outlines of a skin, exactly.
+    fn skin(&self, circles: &Circles, outlines: &[Outline], format: Format) -> Result<Vec<u8>, Failure> {
+        let given = [
+            ("--per-span", self.per_span.is_some()),
+            ("--tolerance", self.tolerance.is_some()),
+            ("--view", self.view.is_some()),
+            ("--polygon", self.polygon),
+        ];
+        if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+            return Err(Failure::usage(format!("{option} is for other curves; skins are drawn as they are")));
+        }
+        if outlines.iter().any(|outline| !outline.closed) || outlines.is_empty() {
+            return Err(Failure::work("these circles have no whole skin; grafika skin --check tells why"));
+        }
+        if format == Format::Step {
+            self.check_model()?;
+            return self.step(&outlines.iter().map(outline_step).collect::<Vec<_>>());
+        }
+        if format.is_model() {
+            let message = "meshes are of surfaces; a skin of circles is drawn as .png, .svg or .pdf, and exactly as .step";
+            return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
+        }
+        let mut figure = self.titled();
+        if self.points {
+            let circles = skin::circles(circles).map_err(Failure::work)?;
+            figure.plot_discs(circles.circles()).map_err(Failure::work)?;
+        }
+        for outline in outlines {
+            figure.plot_outline(outline, CURVE_INK, false).map_err(Failure::work)?;
+        }
+        self.picture(&figure, format)
     }
 
     /// The lines and points of a net over a surface.

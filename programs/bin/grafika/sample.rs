@@ -10,6 +10,7 @@ use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
 use grafika::figure::{curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
+use grafika::geometry::skin::Outline;
 use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, progress, write_output};
 use std::path::PathBuf;
@@ -90,6 +91,7 @@ impl Sample {
             Shape::Space(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
             Shape::Surface(surface) => self.surface_text([(0, &*surface)].into_iter()),
             Shape::Parts(parts) => self.parts(&parts),
+            Shape::Outlines(outlines) => self.outlines(&outlines),
         }?;
         drop(alive);
         write_output(self.output.as_deref(), text.as_bytes())
@@ -144,6 +146,16 @@ impl Sample {
                 self.surface_text(patches.map(|(k, patch)| (k, patch as &dyn ParamSurface)))
             }
         }
+    }
+
+    /// The outlines of a skin, with their pieces numbered in their order.
+    fn outlines(&self, outlines: &[Outline]) -> Result<String, Failure> {
+        let firsts = outlines.iter().scan(0, |next, outline| {
+            let first = *next;
+            *next += outline.spans();
+            Some(first)
+        });
+        self.curve_text(firsts.zip(outlines).map(|(k, outline)| (k, outline as &dyn ParamCurve<2>, 1.0)))
     }
 
     /// The points of curves, each with the number of its first span and the length of its parameter in a span, by

@@ -9,7 +9,7 @@ mod normals;
 mod picture;
 mod plan;
 mod show;
-mod surface;
+pub(crate) mod surface;
 mod tables;
 
 pub use plan::{Family, Plan, Start};

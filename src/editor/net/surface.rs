@@ -116,7 +116,7 @@ impl Nets {
 }
 
 /// Draws the points of a grid.
-pub(crate) fn draw_grid(
+pub(super) fn draw_grid(
     screen: &mut Screen,
     grid: &Grid,
     look: Look,
@@ -171,7 +171,7 @@ pub(super) fn draw_gap(screen: &mut Screen, gap: &Grid, look: Look) {
     }
 }
 
-pub(super) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
+pub(crate) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
     let pixels: Vec<(i32, i32)> = grid.points().iter().map(|&point| look.to_screen(point)).collect();
     let stroke = Stroke::thin(ink);
     for row in pixels.chunks(grid.columns()) {
@@ -185,7 +185,7 @@ pub(super) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Colo
 
 /// Draws the cells of grids that hide each other; fill and edge colour of each are given by the index of its grid and
 /// its corners.
-pub(super) fn draw_cells(
+pub(crate) fn draw_cells(
     screen: &mut Screen,
     grids: &[&Grid],
     look: Look,
