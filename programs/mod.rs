@@ -1,6 +1,7 @@
 //! The programs: what each has of its own, and the list of them all. A program is a file here, a line in
 //! [`ALL`], and a `main` of one line in `programs/bin/`.
 
+pub mod alakpar;
 pub mod biliard;
 pub mod csango_k;
 pub mod csav_gy;
@@ -73,6 +74,7 @@ pub const ALL: &[Program] = &[
     kc_ter::PROGRAM,
     ph_gorbe::PROGRAM,
     pn_felul::PROGRAM,
+    alakpar::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,
@@ -126,9 +128,9 @@ mod tests {
     #[test]
     fn every_format_belongs_to_a_program() {
         // Rational curves and patches are made for other programs; `grafika render` shows them.
-        use Format::{Alp, Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
+        use Format::{Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
         let opened =
-            Format::ALL.iter().filter(|format| ![Rbc, Rbs, Csm, Csf, Alp, Som, Kor, Gom].contains(format));
+            Format::ALL.iter().filter(|format| ![Rbc, Rbs, Csm, Csf, Som, Kor, Gom].contains(format));
         assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }
 }

@@ -21,6 +21,7 @@ pub use error::DesignError;
 pub use net::{Index, NetDesign, Part};
 pub use normals::NORMALS_SIZE;
 pub use sketch::Sketch;
+pub(crate) use sketch::follow;
 
 use crate::file::ec::EcDocument;
 use crate::file::{
@@ -238,6 +239,7 @@ pub fn without_points(document: &Document) -> Vec<String> {
             ("family", true),
             ("parameters", !shaped.points.is_empty() && shaped.family != FamilyName::Cyclic),
             ("blend", shaped.blend.is_some()),
+            ("through", shaped.through),
             ("closed", shaped.closed),
         ],
         _ => Vec::new(),

@@ -234,7 +234,7 @@ impl From<Sketch<3>> for Document {
 }
 
 /// Applies an edit of the points to a list that belongs to them; `before` and `after` count the points.
-fn follow<T, P>(list: &mut Vec<T>, edit: Edit<P>, [before, after]: [usize; 2], new: T) {
+pub(crate) fn follow<T, P>(list: &mut Vec<T>, edit: Edit<P>, [before, after]: [usize; 2], new: T) {
     match edit {
         Edit::Insert(index, _) if after > before => list.insert(index.min(before), new),
         Edit::Delete(index) if after < before => {

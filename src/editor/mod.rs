@@ -30,6 +30,7 @@ use lens::{Held, Lens};
 use seen::Item;
 use serde::Serialize;
 use stage::{Shown, Stage};
+use std::time::Duration;
 
 /// What one kind of editor adds to the common part.
 pub(crate) trait Craft<const D: usize>: Sized + 'static {
@@ -97,6 +98,24 @@ pub(crate) trait Craft<const D: usize>: Sized + 'static {
     /// Called before the editor waits for the user.
     async fn before_event(_: &mut Editor<Self, D>, _: &mut Desk<'_>) -> Asked<()> {
         Ok(())
+    }
+    /// Takes up an event before the lens does; returns whether it did.
+    fn attended(_: &mut Editor<Self, D>, _: &mut Desk<'_>, _: &Tick) -> bool {
+        false
+    }
+    /// Advances what moves by itself to the present time.
+    fn advance(&mut self, _: Duration) {}
+    /// How long after that time the next picture is due; `None` if nothing moves.
+    fn due(&self) -> Option<Duration> {
+        None
+    }
+    /// Whether the editor is to be left for another page of its program.
+    fn leaves(&self) -> bool {
+        false
+    }
+    /// The place of a held handle when the mouse is at a pixel; `None` for a mere click.
+    fn dragged(editor: &Editor<Self, D>, held: &Held<Self::Handle, D>, at: (i32, i32)) -> Option<Point<D>> {
+        editor.lens.dragged(held, at)
     }
     /// Handles an event that only changes the view; returns whether it did.
     fn looked(_: &mut Editor<Self, D>, _: &mut Desk<'_>, _: &Tick) -> bool {
@@ -225,6 +244,11 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
 
     fn look(&mut self, desk: &Desk<'_>) {
         self.behave(desk.machine.manner());
+        self.craft.advance(desk.clock());
+    }
+
+    fn due(&self) -> Option<Duration> {
+        self.craft.due()
     }
 
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
@@ -238,10 +262,16 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
             self.stage = Stage::Working;
             C::before_event(self, desk).await.unless_cancelled()?;
             self.stage = Stage::Working;
+            if self.craft.leaves() {
+                return Ok(Next::End);
+            }
             let tick = event(self, desk).await?;
             if self.held.is_some() {
                 self.drag(desk, &tick).await.unless_cancelled()?;
-            } else if self.lens.look_around(&tick) || C::looked(self, desk, &tick) {
+            } else if C::attended(self, desk, &tick)
+                || self.lens.look_around(&tick)
+                || C::looked(self, desk, &tick)
+            {
                 // Only the picture changes.
             } else if common_key(self, desk, tick.key()).await? {
                 C::changed(self);
@@ -319,7 +349,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         let Some(mut held) = self.held else { return Ok(()) };
         match tick.event {
             Some(Event::Move(..)) => {
-                held.at = self.lens.dragged(&held, (tick.mouse.x, tick.mouse.y)).unwrap_or(held.at);
+                held.at = C::dragged(self, &held, (tick.mouse.x, tick.mouse.y)).unwrap_or(held.at);
                 self.held = Some(held);
             }
             Some(Event::Release(Button::Left)) => {

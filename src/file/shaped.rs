@@ -135,6 +135,10 @@ pub struct ShapedPoints {
     /// Of `alpha`, `gb` and `spb`: the polygon that is blended in, where it is not that of the points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blend: Option<Places>,
+    /// Whether the joints of the curve are points that it was made to pass. The curve is the same without it; editors
+    /// then show those points in place of the control points.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub through: bool,
 }
 
 impl ShapedPoints {
@@ -210,6 +214,7 @@ impl ShapedPoints {
             closed: self.closed,
             phi: self.phi,
             blend: self.blend.clone(),
+            through: self.through,
             ..Self::default()
         };
         match family {

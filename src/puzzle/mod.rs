@@ -4,5 +4,4 @@
 //! work a little, tells how far it is, and can be dropped at any time.
 
 pub mod cube;
-mod dice;
 pub mod wheel;

@@ -23,7 +23,7 @@ pub(in crate::editor) const METHODS: [Button; 4] = [
 ];
 
 /// Asks for the number of a point and returns its index. Zero or less cancels, like Esc.
-pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
+pub(crate) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
     let field = Field {
         area: Area::new(330, 19, 361, 32),
         at: (338, 22),
@@ -37,7 +37,7 @@ pub(in crate::editor) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Pict
 
 /// Like [`ask_index`], but for one of the `count` existing points. If there is no such point, it says so and cancels
 /// the command.
-pub(in crate::editor) async fn ask_existing(
+pub(crate) async fn ask_existing(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,
     count: usize,
@@ -55,7 +55,7 @@ pub(in crate::editor) async fn ask_existing(
 }
 
 /// Asks for a decimal number on the page at the top, with a caption at a given place.
-pub(in crate::editor) async fn ask_real(
+pub(crate) async fn ask_real(
     desk: &mut Desk<'_>,
     picture: &dyn Picture,
     (caption, at): (Words, (i32, i32)),
@@ -74,7 +74,7 @@ pub(in crate::editor) async fn ask_coefficient(desk: &mut Desk<'_>, picture: &dy
 }
 
 /// Asks whether the curve is closed.
-pub(in crate::editor) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<bool> {
+pub(crate) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<bool> {
     let question = Question::new(TOP, words::ASK_SHAPE, [words::OPEN, words::CLOSED]);
     Ok(match desk.ask(picture, &question).await? {
         Answer::First => false,

@@ -3,7 +3,7 @@
 //!
 //! Five programs are this editor with [`Tools`] of their own. In the plane new points are dragged out of a store.
 
-pub(super) mod ask;
+pub(crate) mod ask;
 pub(super) mod beta;
 mod commands;
 mod compare;
@@ -559,7 +559,7 @@ impl Ambient<2> for Curves<2> {
     }
 
     async fn ask_place(editor: &Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<Point<2>> {
-        points::ask_place_in_field(editor, desk).await
+        super::place::ask_place_in_field(desk, editor).await
     }
 
     async fn change_tangent(

@@ -8,17 +8,15 @@ use crate::editor::lens::{Held, Lens};
 use crate::editor::picture::Page;
 use crate::editor::seen::{Item, Label};
 use crate::editor::stage::Stage;
-use crate::editor::{Craft, Editor};
-use crate::file::{FIELD, MAX_POINTS, Method};
-use crate::geometry::{Closure, Point};
+use crate::editor::{Craft, Editor, place};
+use crate::file::{MAX_POINTS, Method};
+use crate::geometry::Point;
 use crate::machine::Asked;
 use crate::screen::{Color, Stroke};
-use crate::ui::words::{self, Words};
-use crate::ui::{Answer, Area, Caption, Desk, Field, Form, Hint, Number, Question, Stay, TOP};
+use crate::ui::words;
+use crate::ui::{Answer, Desk, Hint, Question, Stay, TOP};
 use serde::Serialize;
 
-/// How far from the curve a click is on it, in pixels.
-const REACH: i32 = 5;
 /// The fewest points that have a curve by methods of a layer.
 const FEWEST_OF_LAYERS: usize = 2;
 
@@ -75,26 +73,12 @@ where
         place.fits().then_some(Held { handle: Handle::New(index), pressed: at, from: place, at: place })
     }
 
-    /// The place of the curve at a pixel, and the index that a point inserted there has: behind the nearest side of the
-    /// control polygon.
+    /// The place of the curve at a pixel, and the index that a point inserted there has.
     fn on_curve(&self, at: (i32, i32)) -> Option<(Point<D>, usize)> {
-        if !self.shown.visible {
-            return None;
-        }
-        let (sketch, curve) = (self.drawn(), self.drawn().curve().ok()?);
-        let distance = |(x, y): (i32, i32)| (x - at.0).pow(2) + (y - at.1).pow(2);
+        let (sketch, curve) = (self.drawn(), self.drawn().curve().ok().filter(|_| self.shown.visible)?);
         let line = curve.polyline(steps(sketch.method()?)).ok()?;
-        let nearest = line.into_iter().min_by_key(|&place| distance(self.lens.pixel(place)))?;
-        if distance(self.lens.pixel(nearest)) > REACH.pow(2) {
-            return None;
-        }
-        let sides = sketch.points.iter().zip(sketch.points.iter().cycle().skip(1));
-        let count =
-            sketch.points.len() - usize::from(sketch.closure() == Closure::Open).min(sketch.points.len());
-        let of_side =
-            |(_, (from, to)): &(usize, (&Point<D>, &Point<D>))| distance_to_side(nearest, **from, **to);
-        let side = sides.take(count).enumerate().min_by(|a, b| of_side(a).total_cmp(&of_side(b)))?.0;
-        Some((Curves::<D>::open_place(at).unwrap_or(nearest.nearest()), side + 1))
+        let (nearest, index) = place::on_line(&line, &sketch.points, sketch.closure(), &self.lens, at)?;
+        Some((Curves::<D>::open_place(at).unwrap_or(nearest.nearest()), index))
     }
 
     /// What can be done now.
@@ -276,36 +260,6 @@ where
             page.screen.text(x + 18, y, name, ink);
         }
     }
-}
-
-/// Asks for a place in the field.
-pub(super) async fn ask_place_in_field(
-    editor: &Editor<Curves<2>, 2>,
-    desk: &mut Desk<'_>,
-) -> Asked<Point<2>> {
-    let field = |y: i32, largest: f64| Field {
-        area: Area::new(340, y - 2, 378, y + 10),
-        at: (348, y + 1),
-        longest: 3,
-        kind: Number::Whole(0..=largest as i32),
-    };
-    let captions = vec![
-        Caption::new((255, 23), words::PLACE_ENTRY),
-        Caption::new((315, 15), Words("x = ", "x = ")).colored(Color::LightMagenta),
-        Caption::new((315, 30), Words("y = ", "y = ")).colored(Color::LightMagenta),
-    ];
-    desk.numbers(editor, &Form::new(captions, [field(14, FIELD[0]), field(29, FIELD[1])])).await
-}
-
-/// The square of the distance of a point to the line between two others.
-fn distance_to_side<const D: usize>(point: Point<D>, from: Point<D>, to: Point<D>) -> f64 {
-    let dot = |a: Point<D>, b: Point<D>| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
-    let minus = |a: Point<D>, b: Point<D>| -> Point<D> { std::array::from_fn(|axis| a[axis] - b[axis]) };
-    let (side, way) = (minus(to, from), minus(point, from));
-    let length = dot(side, side);
-    let part = if length > 0.0 { (dot(way, side) / length).clamp(0.0, 1.0) } else { 0.0 };
-    let rest: Point<D> = std::array::from_fn(|axis| way[axis] - part * side[axis]);
-    dot(rest, rest)
 }
 
 // The prompt for a point's number has room for two digits.

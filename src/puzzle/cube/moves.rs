@@ -2,7 +2,7 @@
 
 use super::position::{CsangoCube, CubePiece, TABLE_CELLS, add, on_table};
 use super::shape::PIECES;
-use crate::puzzle::dice::Dice;
+use crate::geometry::Dice;
 use std::fmt;
 
 /// Words of 64 bits that a table takes.

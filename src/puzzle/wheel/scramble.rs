@@ -1,7 +1,7 @@
 //! Problems that a number and a difficulty make again anywhere.
 
 use super::{Move, Wheel, moves::Tail, state::ARMS};
-use crate::puzzle::dice::Dice;
+use crate::geometry::Dice;
 use serde::{Deserialize, Serialize};
 
 /// How hard a problem is.

@@ -1,0 +1,5 @@
+//! Traces, laws, and what nets have learnt.
+
+mod laws;
+mod learnt;
+mod trace;
