@@ -53,6 +53,7 @@ mod cyclic;
 mod dice;
 pub mod ec;
 mod error;
+pub mod fit;
 mod fourier;
 mod hermite;
 mod hidden;

@@ -13,6 +13,7 @@
 //! # Ok::<(), grafika::geometry::cloud::CloudError>(())
 //! ```
 
+mod principal;
 mod shape;
 
 pub use shape::CloudShape;

@@ -28,7 +28,8 @@ pub struct Rule {
     pub order: Order,
     /// The number of steps; by default 100 for every neuron, in [`Order::Listed`] the number of points.
     pub steps: Option<u64>,
-    /// The radius at the start in neurons; by default half the larger number of rows and columns.
+    /// The radius at the start in neurons; by default half the larger number of rows and columns. Take 1 for a start that
+    /// has its shape already ([`Net::shaped`]).
     pub radius: Option<f64>,
     /// Learning ends when the neurons have moved in 1000 steps by less than this part of the cloud's diagonal on the
     /// average; 0 for never. [`Order::Listed`] always goes through.
@@ -120,7 +121,7 @@ impl Learning {
     }
 
     /// Begins with a small net that grows (4.4): where a neuron wins most often, a row or column is inserted, until there
-    /// would be more neurons than the limit. See [`Topology::first_size`](super::Topology::first_size).
+    /// would be more neurons than the limit. See [`Net::seedling`].
     ///
     /// # Errors
     /// A limit below the number of neurons at the start, or too large.

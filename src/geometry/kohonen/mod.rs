@@ -34,6 +34,7 @@ mod learning;
 mod neighbours;
 mod net;
 mod schedule;
+mod shaped;
 #[cfg(test)]
 mod tests;
 mod topology;
@@ -41,6 +42,7 @@ mod topology;
 pub use error::KohonenError;
 pub use learning::{End, Learning, Order, Rule, Step};
 pub use net::Net;
+pub(in crate::geometry) use net::Search;
 pub use schedule::{Schedule, Weighting};
 pub use topology::Topology;
 

@@ -48,18 +48,6 @@ impl Topology {
         }
     }
 
-    /// The size from which a net of this topology grows: 2 x 2 (4.4), 3 where a direction is closed and between poles.
-    /// Rings of a cylinder begin with 8, so that they lie round the cylinder: with 3, nine nets of sixteen grew across a
-    /// ring of points, with 8 none of sixty-four.
-    #[must_use]
-    pub fn first_size(self) -> [usize; 2] {
-        match self {
-            Self::Open => [2, 2],
-            Self::Cylinder => [2, 8],
-            Self::Torus | Self::Sphere => [3, 3],
-        }
-    }
-
     /// The index after (or with -1 before) another in a direction, if there is one.
     pub(super) fn beside(self, direction: usize, count: usize, index: usize, step: isize) -> Option<usize> {
         match index.checked_add_signed(step) {
