@@ -76,7 +76,8 @@ impl Design {
             Document::Tangents(_)
             | Document::BeadWheel(_)
             | Document::CsangoCube(_)
-            | Document::Billiards(_) => Err(DesignError::NoShape),
+            | Document::Billiards(_)
+            | Document::Cloud(_) => Err(DesignError::NoShape),
         }
     }
 

@@ -2,7 +2,9 @@
 
 use super::ec::EcCurve;
 use super::table::{decoded, decoded_table};
-use super::{Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints, TableOptions};
+use super::{
+    Cloud, CloudFormat, Document, FileError, Format, Net, NetKind, PlanePoints, SpacePoints, TableOptions,
+};
 use crate::geometry::Topology;
 
 /// Extensions of tables of text that are read; they are written as CSV.
@@ -81,12 +83,22 @@ impl Document {
         }
     }
 
-    /// The same content for another DOS format: points of the plane into space with z = 0 and back where
+    /// The same content for another data format: points of the plane into space with z = 0 and back where
     /// z is 0 everywhere, points with tangents without them, nets of one family under each other's
-    /// names, control points as those of polynomials on [0, 1] (`.KCG`). What cannot become such a document stays as it is; [`Document::write`] will say so.
+    /// names, control points as those of polynomials on [0, 1] (`.KCG`), control points as a cloud and back. What cannot
+    /// become such a document stays as it is; [`Document::write`] will say so.
     #[must_use]
     pub fn adapted(self, format: Format) -> Self {
         match (self, format) {
+            (Self::Cloud(Cloud { points, .. }), Format::Ip2 | Format::Ic2 | Format::Ip3 | Format::Kcg) => {
+                Self::SpacePoints(SpacePoints::new(points)).adapted(format)
+            }
+            (Self::PlanePoints(PlanePoints { points, .. }), _) if CloudFormat::of(format).is_some() => {
+                Self::Cloud(Cloud::new(points.into_iter().map(|[x, y]| [x, y, 0.0]).collect()))
+            }
+            (Self::SpacePoints(SpacePoints { points, .. }), _) if CloudFormat::of(format).is_some() => {
+                Self::Cloud(Cloud::new(points))
+            }
             (Self::PlanePoints(PlanePoints { points, settings, .. }), Format::Ip3) => {
                 let points = points.into_iter().map(|[x, y]| [x, y, 0.0]).collect();
                 Self::SpacePoints(SpacePoints { settings, ..SpacePoints::new(points) })

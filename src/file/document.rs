@@ -2,8 +2,8 @@
 
 use super::ec::EcDocument;
 use super::{
-    BeadWheel, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, Patches, PlanePoints,
-    RationalSpans, SpacePoints, Tangents, billiards, settings,
+    BeadWheel, Cloud, CloudFormat, CsangoCube, FileError, FileKind, Format, Fourier, Net, NetKind, Patches,
+    PlanePoints, RationalSpans, SpacePoints, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -32,15 +32,20 @@ pub enum Document {
     Rational(Box<RationalSpans>),
     /// `.RBS`: rational Bézier patches, as offsets are written.
     Patches(Box<Patches>),
+    /// `.XYZ` to `.STL`: a cloud of points.
+    Cloud(Cloud),
 }
 
 impl Document {
-    /// The document in the bytes of a DOS file.
+    /// The document in the bytes of a data file.
     ///
     /// # Errors
     /// [`FileError`] when the size is wrong or a value that means something cannot be; fields that the
     /// programs compute again are not looked at.
     pub fn read(format: Format, bytes: &[u8]) -> Result<Self, FileError> {
+        if let Some(format) = CloudFormat::of(format) {
+            return Cloud::read(format, bytes).map(Self::Cloud);
+        }
         let Some(size) = format.size() else {
             let document = Self::decode(FileKind::Json, bytes)?;
             let found = document.format();
@@ -64,12 +69,15 @@ impl Document {
         }
     }
 
-    /// The bytes of a DOS file with this document. Fields that only cache something are filled as the
+    /// The bytes of a data file with this document. Fields that only cache something are filled as the
     /// original programs would; those that nobody uses are zero.
     ///
     /// # Errors
     /// [`FileError`] when the values do not belong together or the format cannot hold them.
     pub fn write(&self, format: Format) -> Result<Vec<u8>, FileError> {
+        if let (Self::Cloud(cloud), Some(format)) = (self, CloudFormat::of(format)) {
+            return cloud.write(format);
+        }
         self.check()?;
         match (self, format) {
             (Self::PlanePoints(points), Format::Ip2 | Format::Ic2) => points.write(format),
@@ -79,6 +87,7 @@ impl Document {
             (Self::SpacePoints(points), Format::Ip3) => points.write(),
             (Self::BeadWheel(wheel), Format::Gyk) => Ok(wheel.write()),
             (Self::CsangoCube(cube), Format::Csk) => cube.write(),
+            // No cloud comes this far.
             _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             (Self::Net(net), _) if NetKind::of(format).is_some_and(|kind| net.kind.goes_into(kind)) => {
                 net.write(NetKind::of(format).unwrap_or(net.kind))
@@ -107,6 +116,7 @@ impl Document {
             Self::Ec(document) => document.format(),
             Self::Rational(_) => Format::Rbc,
             Self::Patches(_) => Format::Rbs,
+            Self::Cloud(_) => Format::Xyz,
         }
     }
 
@@ -128,6 +138,7 @@ impl Document {
             Self::Ec(document) => document.check(),
             Self::Rational(spans) => spans.check(),
             Self::Patches(patches) => patches.check(),
+            Self::Cloud(cloud) => cloud.check(),
         }
     }
 
@@ -146,6 +157,7 @@ impl Document {
             Self::Ec(document) => document.describe(),
             Self::Rational(spans) => spans.describe(),
             Self::Patches(patches) => patches.describe(),
+            Self::Cloud(cloud) => cloud.describe(),
         }
     }
 
@@ -163,7 +175,8 @@ impl Document {
             | Self::Billiards(_)
             | Self::Ec(_)
             | Self::Rational(_)
-            | Self::Patches(_) => Vec::new(),
+            | Self::Patches(_)
+            | Self::Cloud(_) => Vec::new(),
         }
     }
 
@@ -181,7 +194,8 @@ impl Document {
             | Self::Billiards(_)
             | Self::Ec(_)
             | Self::Rational(_)
-            | Self::Patches(_) => {}
+            | Self::Patches(_)
+            | Self::Cloud(_) => {}
         }
         self
     }

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// A kind of data file, named after its extension: those of the DOS programs, and kinds that are JSON only.
+/// A kind of data file, named after its extension: those of the DOS programs, kinds that are JSON only, and clouds of
+/// points in formats of other programs ([`CloudFormat`](super::CloudFormat)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the table below says what each one is")]
 pub enum Format {
@@ -32,13 +33,17 @@ pub enum Format {
     Rbc,
     Pn,
     Rbs,
+    Xyz,
+    Ply,
+    Obj,
+    Stl,
 }
 
 /// One row of the table.
 struct Row {
     format: Format,
     extension: &'static str,
-    /// The bytes of the DOS file; `None` where there is only JSON.
+    /// The bytes of the DOS file; `None` where there is none.
     size: Option<usize>,
     english: &'static str,
     hungarian: &'static str,
@@ -85,6 +90,10 @@ rows! {
     Rbc "RBC" None, "rational curve of the plane" "síkbeli racionális görbe";
     Pn "PN" None, "net of points with normals" "pontok hálója normálisokkal";
     Rbs "RBS" None, "rational Bézier patches" "racionális Bézier-foltok";
+    Xyz "XYZ" None, "points of a cloud" "felhő pontjai";
+    Ply "PLY" None, "points of a cloud or a mesh" "felhő vagy háló pontjai";
+    Obj "OBJ" None, "points of a mesh" "háló pontjai";
+    Stl "STL" None, "corners of triangles" "háromszögek csúcsai";
 }
 
 impl Format {
@@ -102,7 +111,7 @@ impl Format {
         ALL.iter().copied().filter(|format| format.size().is_some())
     }
 
-    /// The size of every DOS file of this format, in bytes; `None` for what is JSON only.
+    /// The size of every DOS file of this format, in bytes; `None` for what is JSON only, and for clouds.
     #[must_use]
     pub fn size(self) -> Option<usize> {
         self.row().size
@@ -167,7 +176,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Rbs as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Stl as usize + 1, Format::ALL.len());
     }
 
     #[test]

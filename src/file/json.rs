@@ -71,6 +71,7 @@ impl Document {
             Format::Kcj => fields(text).map(EcDocument::Scene).map(Self::from),
             Format::Rbc => fields(text).map(Box::new).map(Self::Rational),
             Format::Rbs => fields(text).map(Box::new).map(Self::Patches),
+            Format::Xyz | Format::Ply | Format::Obj | Format::Stl => fields(text).map(Self::Cloud),
             _ => fields(text).map(|net: Net| {
                 // Every format that is left has a kind of net.
                 Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
@@ -99,6 +100,7 @@ impl Document {
             Self::Ec(value) => value.written(),
             Self::Rational(value) => tagged(format, value.as_ref()),
             Self::Patches(value) => tagged(format, value.as_ref()),
+            Self::Cloud(value) => tagged(format, value),
         };
         compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
     }

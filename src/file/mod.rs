@@ -4,6 +4,7 @@
 //! [`Document::write`] gives a file that the DOS program reads and draws rightly. JSON holds everything
 //! that a document can, also what the DOS format has no place for: settings, fractions, more points. Points are
 //! read from tables of text as people have them, with [`TableOptions`] for what a table does not tell.
+//! Clouds of points come from files of other programs; a [`CloudReader`] reads them in pieces.
 //! Nothing is opened or saved here; [`crate::machine`] does that.
 //!
 //! ```
@@ -22,6 +23,7 @@
 
 mod billiards;
 mod check;
+mod cloud;
 mod convert;
 pub mod cube;
 mod document;
@@ -42,6 +44,7 @@ mod table;
 pub mod wheel;
 
 pub use check::{MAX_POINTS, number};
+pub use cloud::{Cloud, CloudFormat, CloudReader, Encoding, LeftOut, MAX_CLOUD_POINTS, Skipped, Spot};
 pub use convert::{FileKind, TABLES, convert};
 pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;
