@@ -5,7 +5,7 @@
 //! every run of one colour. The types of files come from the table of the data files. The same bytes come out
 //! every time.
 
-use grafika::file::Format;
+use grafika::file::{CloudFormat, Format};
 use grafika::geometry::{Closure, Curve, Method, ParamCurve};
 use grafika::screen::{Color, Screen, Stroke};
 use std::fmt::Write;
@@ -118,6 +118,11 @@ fn svg(screen: &Screen) -> String {
     text + "</svg>\n"
 }
 
+/// The formats of our own; desktops know those of clouds, which are other programs'.
+pub(crate) fn own_formats() -> impl Iterator<Item = Format> {
+    Format::ALL.iter().copied().filter(|&format| CloudFormat::of(format).is_none())
+}
+
 /// The name of the type of a data file.
 fn mime(format: Format) -> String {
     format!("application/x-grafika-{}", format.extension().to_lowercase())
@@ -125,7 +130,7 @@ fn mime(format: Format) -> String {
 
 /// The entry of the desktop's menu.
 fn desktop() -> String {
-    let types: String = Format::ALL.iter().map(|&format| mime(format) + ";").collect();
+    let types: String = own_formats().map(|format| mime(format) + ";").collect();
     format!(
         "[Desktop Entry]
 Type=Application
@@ -149,7 +154,7 @@ fn types() -> String {
 <mime-info xmlns=\"http://www.freedesktop.org/standards/shared-mime-info\">
 "
     .to_owned();
-    for &format in Format::ALL {
+    for format in own_formats() {
         let _ = writeln!(
             text,
             "  <mime-type type=\"{}\">

@@ -96,13 +96,14 @@ where
     };
     let target = ask(editor, desk, &knob).await?;
     let found = match target {
-        Target::Place(place) => curve.through(knob.parameter, place).map(|reach| aimed(&curve, place, &reach)),
+        Target::Place(place) => {
+            curve.through(knob.parameter, place).map(|reach| aimed(&curve, place, &reach))
+        }
         Target::Pixel(at) => {
             let flat = <Here as Room<D>>::flat(&editor.lens, at);
             let place = <Here as Room<D>>::open_place(at);
-            flattened(&curve, &editor.lens)
-                .and_then(|picture| picture.through(knob.parameter, flat))
-                .map(|reach| {
+            flattened(&curve, &editor.lens).and_then(|picture| picture.through(knob.parameter, flat)).map(
+                |reach| {
                     let point = reach_point(&curve, knob.parameter, &reach).unwrap_or([0.0; D]);
                     let reach = Reach {
                         admissible: reach.admissible,
@@ -113,7 +114,8 @@ where
                         distance: reach.distance,
                     };
                     aimed(&curve, place.unwrap_or(point), &reach)
-                })
+                },
+            )
         }
     };
     match found {

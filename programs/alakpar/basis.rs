@@ -14,14 +14,8 @@ const PLOT: Area = Area::new(440, 372, 622, 452);
 /// Steps along the window.
 const STEPS: usize = 90;
 /// The colours of the functions, in turn.
-const INKS: [Color; 6] = [
-    Color::LightRed,
-    Color::Yellow,
-    Color::LightGreen,
-    Color::LightCyan,
-    Color::LightMagenta,
-    Color::White,
-];
+const INKS: [Color; 6] =
+    [Color::LightRed, Color::Yellow, Color::LightGreen, Color::LightCyan, Color::LightMagenta, Color::White];
 
 /// Whether a pixel is on the window.
 pub(super) fn holds((x, y): (i32, i32)) -> bool {

@@ -83,11 +83,7 @@ where
 }
 
 /// The list of the families.
-async fn ask_kind(
-    picture: &dyn Picture,
-    desk: &mut Desk<'_>,
-    present: FamilyName,
-) -> Asked<&'static Kind> {
+async fn ask_kind(picture: &dyn Picture, desk: &mut Desk<'_>, present: FamilyName) -> Asked<&'static Kind> {
     loop {
         let over = Over::new(picture, |screen: &mut Screen, language: Language| {
             draw_list(screen, language, present);

@@ -255,7 +255,9 @@ where
             }
             _ => moved,
         };
-        if points::full(editor.history.now()) && held.handle == Handle::Point(editor.history.now().points.len()) {
+        if points::full(editor.history.now())
+            && held.handle == Handle::Point(editor.history.now().points.len())
+        {
             desk.tell(crate::ui::words::FULL, crate::ui::Stay::Briefly);
         }
         editor.change(moved);

@@ -2,9 +2,7 @@
 
 use crate::design::{Edit, Place, Sketch, follow};
 use crate::file::{FamilyName, LambdaValue, Places, ShapedPoints};
-use crate::geometry::shaped::{
-    Family, LambdaKind, Lambdas, Parameter, ShapedCurve, interpolate,
-};
+use crate::geometry::shaped::{Family, LambdaKind, Lambdas, Parameter, ShapedCurve, interpolate};
 use crate::geometry::{Closure, GeometryError, ParamCurve, Point};
 
 /// A curve with shape parameters as the editor has it.
@@ -205,14 +203,16 @@ impl<const D: usize> Form<D> {
     /// The curve that a cubic would be with the same points, by the same reading of them: of Bézier kind where the
     /// family is.
     pub(super) fn cubic(&self) -> Option<Box<dyn ParamCurve<D>>> {
-        let bezier = matches!(self.family(), FamilyName::CBezier | FamilyName::FBezier | FamilyName::TrigBezier);
+        let bezier =
+            matches!(self.family(), FamilyName::CBezier | FamilyName::FBezier | FamilyName::TrigBezier);
         if bezier {
             let method = crate::geometry::Method::Bezier;
             let curve = crate::geometry::Curve::through(method, Closure::Open, &self.points).ok()?;
             return Some(Box::new(curve));
         }
         let closed = self.closure() == Closure::Closed;
-        let spline = Form { blend: None, ..self.by(FamilyName::FBSpline, &Family::FBSpline { omega: 0.0 }, closed) };
+        let spline =
+            Form { blend: None, ..self.by(FamilyName::FBSpline, &Family::FBSpline { omega: 0.0 }, closed) };
         Some(Box::new(spline.curve().ok()?))
     }
 }
@@ -247,12 +247,8 @@ impl<const D: usize> Form<D> {
         points: Vec<Point<D>>,
         blend: Option<Vec<Point<D>>>,
     ) -> Form<D> {
-        let recipe = ShapedPoints {
-            points: Places::default(),
-            blend: None,
-            through: false,
-            ..document.clone()
-        };
+        let recipe =
+            ShapedPoints { points: Places::default(), blend: None, through: false, ..document.clone() };
         let form = Form { points, blend, through: false, recipe };
         if document.through { form.with_data().unwrap_or(form) } else { form }
     }

@@ -17,12 +17,7 @@ pub(super) struct Kind {
     pub(super) about: Words,
 }
 
-const fn kind(
-    key: char,
-    name: FamilyName,
-    title: [&'static str; 2],
-    about: [&'static str; 2],
-) -> Kind {
+const fn kind(key: char, name: FamilyName, title: [&'static str; 2], about: [&'static str; 2]) -> Kind {
     Kind { key, name, title: Words(title[0], title[1]), about: Words(about[0], about[1]) }
 }
 

@@ -276,9 +276,8 @@ where
 /// The length of a curve as it is drawn.
 fn length<const D: usize>(curve: &ShapedCurve<D>) -> f64 {
     let line = curve.polyline(steps(curve.spans())).unwrap_or_default();
-    let side = |pair: &[Point<D>]| {
-        pair[0].iter().zip(pair[1]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
-    };
+    let side =
+        |pair: &[Point<D>]| pair[0].iter().zip(pair[1]).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     line.windows(2).map(side).sum()
 }
 

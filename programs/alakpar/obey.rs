@@ -150,7 +150,8 @@ async fn ask_number(
 ) -> Asked<f64> {
     let read = |text: &str| {
         let text = text.trim().replace(',', ".");
-        let value = if text.eq_ignore_ascii_case("pi") { Some(std::f64::consts::PI) } else { text.parse().ok() };
+        let value =
+            if text.eq_ignore_ascii_case("pi") { Some(std::f64::consts::PI) } else { text.parse().ok() };
         value
             .filter(|value| (range[0]..=range[1]).contains(value))
             .ok_or_else(|| texts::bad_number(name, range))
@@ -174,11 +175,7 @@ where
 }
 
 /// The commands A and C.
-async fn change_number<const D: usize>(
-    editor: &mut Bench<D>,
-    desk: &mut Desk<'_>,
-    number: usize,
-) -> Asked<()>
+async fn change_number<const D: usize>(editor: &mut Bench<D>, desk: &mut Desk<'_>, number: usize) -> Asked<()>
 where
     Here: Room<D>,
     Point<D>: Place<D> + Serialize,

@@ -78,7 +78,8 @@ pub(super) fn no_parameter(name: FamilyName) -> Phrase {
 
 /// What is asked for: a new value of a parameter.
 pub(super) fn ask_value(name: &str, [low, high]: [f64; 2]) -> Phrase {
-    let text = format!("{name}: {} ... {}", short((1e4 * low).round() / 1e4), short((1e4 * high).round() / 1e4));
+    let text =
+        format!("{name}: {} ... {}", short((1e4 * low).round() / 1e4), short((1e4 * high).round() / 1e4));
     Phrase::new(text.clone(), text)
 }
 
@@ -160,26 +161,26 @@ pub(super) fn far_out(harmonics: usize) -> Phrase {
 
 /// Whether fewer harmonics are right.
 pub(super) fn keep_harmonics(harmonics: usize) -> Phrase {
-    Phrase::new(
-        format!("   Csak {harmonics} felharmonikus ?"),
-        format!("    Only {harmonics} harmonics?"),
-    )
+    Phrase::new(format!("   Csak {harmonics} felharmonikus ?"), format!("    Only {harmonics} harmonics?"))
 }
 
 /// Whether only the first points are to stay.
 pub(super) fn keep_first(needed: usize) -> Phrase {
-    Phrase::new(
-        format!("  Az első {needed} pont marad ?"),
-        format!("   Keep the first {needed} points?"),
-    )
+    Phrase::new(format!("  Az első {needed} pont marad ?"), format!("   Keep the first {needed} points?"))
 }
 
 /// A family needs fewer points.
 pub(super) fn too_many(name: FamilyName, needed: usize, count: usize) -> Phrase {
     let title = of_name(name).title;
     Phrase::new(
-        format!("{}: pontosan {needed} pont kell, most {count} van. A többi Ctrl+Z-vel visszahozható.", title.0),
-        format!("{}: exactly {needed} points are needed, there are {count}. Ctrl+Z brings the others back.", title.1),
+        format!(
+            "{}: pontosan {needed} pont kell, most {count} van. A többi Ctrl+Z-vel visszahozható.",
+            title.0
+        ),
+        format!(
+            "{}: exactly {needed} points are needed, there are {count}. Ctrl+Z brings the others back.",
+            title.1
+        ),
     )
 }
 

@@ -117,7 +117,12 @@ pub(super) fn add_series<const D: usize>(form: &Form<D>, knob: &Knob, items: &mu
         let value = if k + 1 == SERIES { high } else { low + (high - low) * k as f64 / (SERIES - 1) as f64 };
         if let Ok(curve) = form.with(knob.parameter, value).and_then(|form| form.curve()) {
             let steps = steps(curve.spans());
-            items.push(Item::Curve { curve: Box::new(curve), steps, stroke: Stroke::thin(shade), name: None });
+            items.push(Item::Curve {
+                curve: Box::new(curve),
+                steps,
+                stroke: Stroke::thin(shade),
+                name: None,
+            });
         }
     }
 }

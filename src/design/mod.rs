@@ -92,7 +92,8 @@ impl Design {
             | Document::Billiards(_)
             | Document::Som(_)
             | Document::Circles(_)
-            | Document::Spheres(_) => Err(DesignError::NoShape),
+            | Document::Spheres(_)
+            | Document::Cloud(_) => Err(DesignError::NoShape),
         }
     }
 

@@ -1,8 +1,9 @@
 //! The storage that is a folder on disk.
 
+use super::read::open_regular;
 use super::write::{is_open_for_reading, is_special};
 use super::{read_regular, write_safely};
-use crate::machine::{Storage, StorageError, StorageProblem, check_name, sample_or_not_found};
+use crate::machine::{Storage, StorageError, StorageProblem, Stream, check_name, sample_or_not_found};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -37,6 +38,12 @@ impl Storage for Folder {
         let Some(found) = self.find(name) else { return sample_or_not_found(name) };
         let path = self.path.join(found);
         read_regular(&path).map_err(|error| system(name, &error))
+    }
+
+    fn stream(&self, name: &str) -> Result<Stream, StorageError> {
+        check_name(name)?;
+        let Some(found) = self.find(name) else { return sample_or_not_found(name).map(Stream::from) };
+        open_regular(&self.path.join(found)).map_err(|error| system(name, &error))
     }
 
     fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {

@@ -12,7 +12,7 @@ mod write;
 pub use bests::BestsFile;
 pub use config::ConfigFile;
 pub use folder::Folder;
-pub use read::{LARGEST_FILE, read_limited, read_regular, read_stream, text};
+pub use read::{LARGEST_FILE, open_stream, read_limited, read_regular, read_stream, text};
 pub use recovery::{Offers, RecoveryFolder};
 pub use user_folder::UserFolder;
 pub use write::write_safely;

@@ -1,11 +1,13 @@
 //! Reading what a command line or the environment names, whatever it is, within a limit.
 
 use super::write::is_special;
+use crate::machine::Stream;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-/// More than any file of these programs can have; a larger one is refused before it fills the memory.
+/// More than any file of these programs can have but a cloud of points, which is read piece by piece; a larger one is
+/// refused before it fills the memory.
 pub const LARGEST_FILE: u64 = 64 * 1024 * 1024;
 
 /// The content of a file, or what comes through a pipe or from a device until it ends.
@@ -29,10 +31,35 @@ pub fn read_limited(path: &Path) -> io::Result<Vec<u8>> {
 /// # Errors
 /// Those of [`read_limited`], or that it is a pipe or a device.
 pub fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
+    check_regular(path).and_then(|()| read_limited(path))
+}
+
+/// The content of a file, pipe or device piece by piece, whatever its length.
+///
+/// # Errors
+/// The system's, or that it is a folder.
+pub fn open_stream(path: &Path) -> io::Result<Stream> {
+    let about = fs::metadata(path)?;
+    if about.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a folder, not a file"));
+    }
+    let length = about.is_file().then_some(about.len());
+    Ok(Stream { length, content: Box::new(File::open(path)?) })
+}
+
+/// The content of a regular file piece by piece; see [`read_regular`].
+///
+/// # Errors
+/// Those of [`open_stream`], or that it is a pipe or a device.
+pub(super) fn open_regular(path: &Path) -> io::Result<Stream> {
+    check_regular(path).and_then(|()| open_stream(path))
+}
+
+fn check_regular(path: &Path) -> io::Result<()> {
     if is_special(&fs::metadata(path)?) {
         return Err(io::Error::other("this is a pipe or a device, not a regular file"));
     }
-    read_limited(path)
+    Ok(())
 }
 
 /// All that a stream gives, such as standard input. The limit counts what has been read, because pipes and devices
@@ -58,7 +85,10 @@ pub fn text(content: Vec<u8>) -> io::Result<String> {
 }
 
 fn too_long() -> io::Error {
-    let message = format!("this has more than {} MB; no file of these programs has", LARGEST_FILE >> 20);
+    let message = format!(
+        "this has more than {} MB; no file of these programs but a cloud of points has",
+        LARGEST_FILE >> 20
+    );
     io::Error::new(io::ErrorKind::FileTooLarge, message)
 }
 
@@ -77,6 +107,12 @@ mod tests {
         assert_eq!(read_limited(&path).unwrap_err().kind(), io::ErrorKind::FileTooLarge);
         File::create(&path).unwrap().set_len(LARGEST_FILE).unwrap();
         assert_eq!(read_limited(&path).unwrap().len() as u64, LARGEST_FILE);
+        let stream = open_regular(&path).unwrap();
+        assert_eq!(stream.length, Some(LARGEST_FILE));
+        assert_eq!(
+            open_stream(folder.path()).err().map(|error| error.kind()),
+            Some(io::ErrorKind::IsADirectory)
+        );
     }
 
     #[cfg(unix)]
@@ -89,7 +125,7 @@ mod tests {
             let pipe = pipe.clone();
             move || fs::write(pipe, vec![7; 200_000]).unwrap()
         });
-        assert!(read_regular(&pipe).is_err());
+        assert!(read_regular(&pipe).is_err() && open_regular(&pipe).is_err());
         assert_eq!(read_limited(&pipe).unwrap(), vec![7; 200_000]);
         writer.join().unwrap();
         assert_eq!(read_limited(Path::new("/dev/zero")).unwrap_err().kind(), io::ErrorKind::FileTooLarge);

@@ -67,8 +67,7 @@ pub(crate) fn on_line<const D: usize>(
     }
     let sides = points.iter().zip(points.iter().cycle().skip(1));
     let count = points.len() - usize::from(closure == Closure::Open).min(points.len());
-    let of_side =
-        |(_, (from, to)): &(usize, (&Point<D>, &Point<D>))| distance_to_side(nearest, **from, **to);
+    let of_side = |(_, (from, to)): &(usize, (&Point<D>, &Point<D>))| distance_to_side(nearest, **from, **to);
     let side = sides.take(count).enumerate().min_by(|a, b| of_side(a).total_cmp(&of_side(b)))?.0;
     Some((nearest, side + 1))
 }

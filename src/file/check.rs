@@ -2,6 +2,7 @@
 
 use super::{FileError, Format, settings};
 use serde::Serialize;
+use std::fmt::Write;
 
 /// The most points that the DOS formats hold.
 pub const MAX_POINTS: usize = 99;
@@ -119,9 +120,18 @@ pub(super) fn table<const N: usize>(name: &str, points: &[[f64; N]]) -> Vec<Stri
 /// The shortest digits that read back as the same double: `60`, `0.1`, `1e300`.
 #[must_use]
 pub fn number(value: f64) -> String {
-    let digits = format!("{value:?}");
-    match digits.strip_suffix(".0") {
-        Some("-0") | None => digits,
-        Some(whole) => whole.to_owned(),
+    let mut text = String::new();
+    write_number(&mut text, value);
+    text
+}
+
+/// Adds the digits of [`number`] to a text.
+pub(super) fn write_number(text: &mut String, value: f64) {
+    let start = text.len();
+    // Writing to a string cannot fail.
+    let _ = write!(text, "{value:?}");
+    let whole = text.get(start..).and_then(|digits| digits.strip_suffix(".0"));
+    if let Some(length) = whole.filter(|&whole| whole != "-0").map(str::len) {
+        text.truncate(start + length);
     }
 }

@@ -3,8 +3,8 @@
 use super::ec::EcCurve;
 use super::table::{decoded, decoded_table};
 use super::{
-    Document, FileError, Format, KnotPoints, Net, NetKind, Places, PlanePoints, ShapedPoints, SpacePoints,
-    TableOptions,
+    Cloud, CloudFormat, Document, FileError, Format, KnotPoints, Net, NetKind, Places, PlanePoints,
+    ShapedPoints, SpacePoints, TableOptions,
 };
 use crate::geometry::Topology;
 
@@ -84,14 +84,23 @@ impl Document {
         }
     }
 
-    /// The same content for another DOS format: points of the plane into space with z = 0 and back where
+    /// The same content for another data format: points of the plane into space with z = 0 and back where
     /// z is 0 everywhere, points with tangents without them, nets of one family under each other's
     /// names, control points as those of polynomials on [0, 1] (`.KCG`), of uniform cubic B-splines (`.CSM`, `.ALP`), and
-    /// the control points of these alone; Fourier curves as cyclic ones and back. What cannot become such a document
-    /// stays as it is; [`Document::write`] will say so.
+    /// the control points of these alone; control points as a cloud and back; Fourier curves as cyclic ones and back.
+    /// What cannot become such a document stays as it is; [`Document::write`] will say so.
     #[must_use]
     pub fn adapted(self, format: Format) -> Self {
         match (self, format) {
+            (Self::Cloud(Cloud { points, .. }), Format::Ip2 | Format::Ic2 | Format::Ip3 | Format::Kcg) => {
+                Self::SpacePoints(SpacePoints::new(points)).adapted(format)
+            }
+            (Self::PlanePoints(PlanePoints { points, .. }), _) if CloudFormat::of(format).is_some() => {
+                Self::Cloud(Cloud::new(points.into_iter().map(|[x, y]| [x, y, 0.0]).collect()))
+            }
+            (Self::SpacePoints(SpacePoints { points, .. }), _) if CloudFormat::of(format).is_some() => {
+                Self::Cloud(Cloud::new(points))
+            }
             (Self::PlanePoints(PlanePoints { points, settings, .. }), Format::Ip3) => {
                 let points = points.into_iter().map(|[x, y]| [x, y, 0.0]).collect();
                 Self::SpacePoints(SpacePoints { settings, ..SpacePoints::new(points) })

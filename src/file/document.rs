@@ -2,9 +2,9 @@
 
 use super::ec::EcDocument;
 use super::{
-    BeadWheel, Circles, CsangoCube, FileError, FileKind, Format, Fourier, KnotNet, KnotPoints, Net, NetKind,
-    Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet, SpacePoints, Spheres, Tangents, billiards,
-    settings,
+    BeadWheel, Circles, Cloud, CloudFormat, CsangoCube, FileError, FileKind, Format, Fourier, KnotNet,
+    KnotPoints, Net, NetKind, Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet, SpacePoints,
+    Spheres, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -45,15 +45,20 @@ pub enum Document {
     Circles(Box<Circles>),
     /// `.GOM`: spheres.
     Spheres(Box<Spheres>),
+    /// `.XYZ` to `.STL`: a cloud of points.
+    Cloud(Cloud),
 }
 
 impl Document {
-    /// The document in the bytes of a DOS file.
+    /// The document in the bytes of a data file.
     ///
     /// # Errors
     /// [`FileError`] when the size is wrong or a value that means something cannot be; fields that the
     /// programs compute again are not looked at.
     pub fn read(format: Format, bytes: &[u8]) -> Result<Self, FileError> {
+        if let Some(format) = CloudFormat::of(format) {
+            return Cloud::read(format, bytes).map(Self::Cloud);
+        }
         let Some(size) = format.size() else {
             let document = Self::decode(FileKind::Json, bytes)?;
             let found = document.format();
@@ -77,12 +82,15 @@ impl Document {
         }
     }
 
-    /// The bytes of a DOS file with this document. Fields that only cache something are filled as the
+    /// The bytes of a data file with this document. Fields that only cache something are filled as the
     /// original programs would; those that nobody uses are zero.
     ///
     /// # Errors
     /// [`FileError`] when the values do not belong together or the format cannot hold them.
     pub fn write(&self, format: Format) -> Result<Vec<u8>, FileError> {
+        if let (Self::Cloud(cloud), Some(format)) = (self, CloudFormat::of(format)) {
+            return cloud.write(format);
+        }
         self.check()?;
         match (self, format) {
             (Self::PlanePoints(points), Format::Ip2 | Format::Ic2) => points.write(format),
@@ -92,6 +100,7 @@ impl Document {
             (Self::SpacePoints(points), Format::Ip3) => points.write(),
             (Self::BeadWheel(wheel), Format::Gyk) => Ok(wheel.write()),
             (Self::CsangoCube(cube), Format::Csk) => cube.write(),
+            // No cloud comes this far.
             _ if format.size().is_none() && self.format() == format => self.encode(FileKind::Json),
             (Self::Net(net), _) if NetKind::of(format).is_some_and(|kind| net.kind.goes_into(kind)) => {
                 net.write(NetKind::of(format).unwrap_or(net.kind))
@@ -126,6 +135,7 @@ impl Document {
             Self::Som(_) => Format::Som,
             Self::Circles(_) => Format::Kor,
             Self::Spheres(_) => Format::Gom,
+            Self::Cloud(_) => Format::Xyz,
         }
     }
 
@@ -153,6 +163,7 @@ impl Document {
             Self::Som(net) => net.check(),
             Self::Circles(circles) => circles.check(),
             Self::Spheres(spheres) => spheres.check(),
+            Self::Cloud(cloud) => cloud.check(),
         }
     }
 
@@ -177,6 +188,7 @@ impl Document {
             Self::Som(net) => net.describe(),
             Self::Circles(circles) => circles.describe(),
             Self::Spheres(spheres) => spheres.describe(),
+            Self::Cloud(cloud) => cloud.describe(),
         }
     }
 

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// A kind of data file, named after its extension: those of the DOS programs, and kinds that are JSON only.
+/// A kind of data file, named after its extension: those of the DOS programs, kinds that are JSON only, and clouds of
+/// points in formats of other programs ([`CloudFormat`](super::CloudFormat)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the table below says what each one is")]
 pub enum Format {
@@ -38,13 +39,17 @@ pub enum Format {
     Som,
     Kor,
     Gom,
+    Xyz,
+    Ply,
+    Obj,
+    Stl,
 }
 
 /// One row of the table.
 struct Row {
     format: Format,
     extension: &'static str,
-    /// The bytes of the DOS file; `None` where there is only JSON.
+    /// The bytes of the DOS file; `None` where there is none.
     size: Option<usize>,
     english: &'static str,
     hungarian: &'static str,
@@ -97,6 +102,10 @@ rows! {
     Som "SOM" None, "net of neurons" "neuronháló";
     Kor "KOR" None, "circles with a skin" "körök burkolóval";
     Gom "GOM" None, "spheres with a skin" "gömbök burkolóval";
+    Xyz "XYZ" None, "points of a cloud" "felhő pontjai";
+    Ply "PLY" None, "points of a cloud or a mesh" "felhő vagy háló pontjai";
+    Obj "OBJ" None, "points of a mesh" "háló pontjai";
+    Stl "STL" None, "corners of triangles" "háromszögek csúcsai";
 }
 
 impl Format {
@@ -114,7 +123,7 @@ impl Format {
         ALL.iter().copied().filter(|format| format.size().is_some())
     }
 
-    /// The size of every DOS file of this format, in bytes; `None` for what is JSON only.
+    /// The size of every DOS file of this format, in bytes; `None` for what is JSON only, and for clouds.
     #[must_use]
     pub fn size(self) -> Option<usize> {
         self.row().size
@@ -179,7 +188,7 @@ mod tests {
             assert_eq!(format as usize, index);
             assert_eq!(format.row().format, format);
         }
-        assert_eq!(Format::Gom as usize + 1, Format::ALL.len());
+        assert_eq!(Format::Stl as usize + 1, Format::ALL.len());
     }
 
     #[test]

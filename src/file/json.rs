@@ -84,6 +84,7 @@ impl Document {
             Format::Som => fields(text).map(Box::new).map(Self::Som),
             Format::Kor => fields(text).map(Box::new).map(Self::Circles),
             Format::Gom => fields(text).map(Box::new).map(Self::Spheres),
+            Format::Xyz | Format::Ply | Format::Obj | Format::Stl => fields(text).map(Self::Cloud),
             _ => fields(text).map(|net: Net| {
                 // Every format that is left has a kind of net.
                 Self::Net(Net { kind: NetKind::of(format).unwrap_or(net.kind), ..net })
@@ -118,6 +119,7 @@ impl Document {
             Self::Som(value) => tagged(format, value.as_ref()),
             Self::Circles(value) => tagged(format, value.as_ref()),
             Self::Spheres(value) => tagged(format, value.as_ref()),
+            Self::Cloud(value) => tagged(format, value),
         };
         compact.map(|text| json_text::laid_out(&text)).map_err(|e| FileError::Invalid(e.to_string()))
     }

@@ -4,6 +4,7 @@
 //! [`Document::write`] gives a file that the DOS program reads and draws rightly. JSON holds everything
 //! that a document can, also what the DOS format has no place for: settings, fractions, more points. Points are
 //! read from tables of text as people have them, with [`TableOptions`] for what a table does not tell.
+//! Clouds of points come from files of other programs; a [`CloudReader`] reads them in pieces.
 //! Nothing is opened or saved here; [`crate::machine`] does that.
 //!
 //! ```
@@ -23,6 +24,7 @@
 mod billiards;
 mod check;
 mod circles;
+mod cloud;
 mod convert;
 pub mod cube;
 mod document;
@@ -48,6 +50,7 @@ pub mod wheel;
 
 pub use check::{MAX_POINTS, number};
 pub use circles::{Circles, Spheres};
+pub use cloud::{Cloud, CloudFormat, CloudReader, Encoding, LeftOut, MAX_CLOUD_POINTS, Skipped, Spot};
 pub use convert::{FileKind, TABLES, convert};
 pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;
@@ -62,7 +65,7 @@ pub use plane::{FIELD, PlanePoints, Tangent, Tangents};
 pub use rational::{Cusp, RationalSpan, RationalSpans, SelfCrossing};
 pub use settings::{CurveSettings, Method, NetSettings};
 pub use shaped::{FamilyName, LambdaValue, PhiName, ShapedPoints};
-pub use som::{SomNet, SomTopology};
+pub use som::SomNet;
 pub use space::{SPACE_VIEW, SpacePoints};
 pub use table::{Columns, Decimal, Delimiter, TableOptions};
 pub use wheel::BeadWheel;

@@ -3,48 +3,41 @@
 use super::check;
 use super::{FileError, MAX_CONTROLS};
 use crate::geometry::Point;
+use crate::geometry::kohonen::Topology;
 use serde::{Deserialize, Serialize};
 
-/// How the net is joined, by the names in documents and commands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum SomTopology {
-    /// Like a sheet.
-    #[default]
-    Open,
-    /// The last column beside the first.
-    Cylinder,
-    /// Rows and columns go round.
-    Torus,
-    /// Columns go round, the first and the last row are one neuron each.
-    Sphere,
-}
+/// A topology by its name.
+mod topology {
+    use crate::geometry::kohonen::Topology;
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-impl SomTopology {
-    /// Every topology with its name.
-    pub const ALL: [(Self, &'static str); 4] = [
-        (Self::Open, "open"),
-        (Self::Cylinder, "cylinder"),
-        (Self::Torus, "torus"),
-        (Self::Sphere, "sphere"),
-    ];
+    pub(super) fn serialize<S: Serializer>(topology: &Topology, serializer: S) -> Result<S::Ok, S::Error> {
+        topology.name().serialize(serializer)
+    }
 
-    /// The name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        Self::ALL.iter().find(|(topology, _)| *topology == self).map_or("", |(_, name)| name)
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Topology, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Topology::of_name(&name).ok_or_else(|| {
+            let known = Topology::ALL.map(Topology::name).join(", ");
+            D::Error::custom(format!("{name:?} is none of {known}"))
+        })
     }
 }
 
 /// The neurons of a net in space.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SomNet {
     /// How the net is joined.
-    #[serde(default)]
-    pub topology: SomTopology,
+    #[serde(default = "open", with = "topology")]
+    pub topology: Topology,
     /// The neurons in rows of equal length.
     pub points: Vec<Vec<Point<3>>>,
+}
+
+fn open() -> Topology {
+    Topology::Open
 }
 
 impl SomNet {

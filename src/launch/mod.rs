@@ -3,6 +3,7 @@
 //!
 //! Exit status: 0 done, 1 the work failed, 2 the command line or the script is wrong.
 
+mod cloud;
 mod config;
 mod display;
 mod failure;
@@ -10,17 +11,20 @@ mod install;
 mod open;
 mod options;
 mod outlet;
+
 pub mod progress;
 mod table;
 
+pub use cloud::open_cloud;
 pub use config::configure;
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use install::Install;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
-use open::{folder_of, open_in};
+use open::{Tables, folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
 pub use outlet::{say, write_output};
+
 pub use table::TableArgs;
 
 use crate::file::{Document, Format};
@@ -87,7 +91,7 @@ impl Program {
 
     /// Hides the options of tables where no points are opened.
     fn with_tables(&self, command: Command) -> Command {
-        let points = [Format::Ip2, Format::Ic2, Format::Ip3];
+        let points = [Format::Ip2, Format::Ic2, Format::Ip3, Format::Xyz];
         let hidden = !self.opens.iter().any(|format| points.contains(format));
         TableArgs::NAMES
             .into_iter()
@@ -105,7 +109,8 @@ impl Program {
         let folder = path.map_or_else(|| run_options.folder(), folder_of);
         let mut machine = run_options.machine(folder, script.as_ref());
         // Through the machine's own storage, which remembers what was read.
-        let opened = path.map(|path| open_in(machine.storage(), path, None, &table)).transpose()?;
+        let tables = if self.opens.contains(&Format::Xyz) { Tables::Clouds } else { Tables::Documents };
+        let opened = path.map(|path| open_in(machine.storage(), path, None, &table, tables)).transpose()?;
         if let Some(Opened { name, document: Document::Tangents(_), .. }) = &opened {
             return Err(Failure::work(format!(
                 "{name} holds tangents only; no .IC2 file with the points lies beside it"

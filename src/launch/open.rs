@@ -1,10 +1,11 @@
 //! Finding and reading the file that a command line names.
 
-use super::Failure;
-use crate::disk::{Folder, read_limited, read_stream};
+use super::{Failure, cloud};
+use crate::disk::{Folder, LARGEST_FILE, open_stream, read_limited, read_stream};
 use crate::file::{Document, FileError, FileKind, Format, TABLES, TableOptions};
-use crate::machine::{Storage, StorageProblem};
+use crate::machine::{Storage, StorageError, StorageProblem, Stream};
 use crate::work::with_twin;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// A document and its origin.
@@ -35,10 +36,29 @@ pub fn open(path: &Path) -> Result<Opened, Failure> {
 /// # Errors
 /// Those of [`open`], `-` without a kind, and options of a table for another file.
 pub fn open_as(path: &Path, from: Option<FileKind>, table: &TableOptions) -> Result<Opened, Failure> {
+    open_for(path, from, table, Tables::Documents)
+}
+
+/// What the tables of a command line are read as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tables {
+    /// Control points, unless there are too many.
+    Documents,
+    /// Clouds of points.
+    Clouds,
+}
+
+/// Like [`open_as`], with what tables are.
+pub(super) fn open_for(
+    path: &Path,
+    from: Option<FileKind>,
+    table: &TableOptions,
+    tables: Tables,
+) -> Result<Opened, Failure> {
     if path == Path::new("-") {
-        return open_stdin(from, table);
+        return open_stdin(from, table, tables);
     }
-    open_in(&Folder::new(folder_of(path)), path, from, table)
+    open_in(&Folder::new(folder_of(path)), path, from, table, tables)
 }
 
 /// The folder of a path.
@@ -52,6 +72,7 @@ pub(super) fn open_in(
     path: &Path,
     from: Option<FileKind>,
     table: &TableOptions,
+    tables: Tables,
 ) -> Result<Opened, Failure> {
     let name = path.display().to_string();
     if path.is_dir() {
@@ -62,8 +83,16 @@ pub(super) fn open_in(
     };
     let folder = folder_of(path);
     let kind = from.or_else(|| input_kind(path)).map_or_else(|| kind_of(path), Ok)?;
-    let content = content_of(storage, path, file_name)?;
-    let document = Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?;
+    let document = match cloud::format_of(kind, tables == Tables::Clouds || is_large(path)) {
+        Some(format) => {
+            let stream = stream_of(storage, path, file_name)?;
+            Document::Cloud(cloud::read(&name, stream, format, table)?)
+        }
+        None => {
+            let content = content_of(storage, path, file_name)?;
+            Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?
+        }
+    };
     let (document, file_name) = with_twin(document, storage, file_name);
     Ok(Opened { name, file_name, folder, document })
 }
@@ -71,15 +100,30 @@ pub(super) fn open_in(
 /// The content of the file at a path, through the storage of its folder, which knows names in any case and remembers
 /// what was read. What the user names is read even if it is a pipe or a device.
 fn content_of(storage: &dyn Storage, path: &Path, file_name: &str) -> Result<Vec<u8>, Failure> {
+    of_path(storage, path, file_name, read_limited, |storage| storage.read(file_name))
+}
+
+/// The same, piece by piece.
+fn stream_of(storage: &dyn Storage, path: &Path, file_name: &str) -> Result<Stream, Failure> {
+    of_path(storage, path, file_name, open_stream, |storage| storage.stream(file_name))
+}
+
+fn of_path<T>(
+    storage: &dyn Storage,
+    path: &Path,
+    file_name: &str,
+    special: impl FnOnce(&Path) -> io::Result<T>,
+    stored: impl FnOnce(&dyn Storage) -> Result<T, StorageError>,
+) -> Result<T, Failure> {
     let failure = |problem: String| Failure::work(format!("{}: {problem}", path.display()));
     if std::fs::metadata(path).is_ok_and(|about| !about.is_file()) {
-        return read_limited(path).map_err(|error| failure(error.to_string()));
+        return special(path).map_err(|error| failure(error.to_string()));
     }
     let bare = folder_of(path).as_os_str().is_empty();
     if !bare && storage.find(file_name).is_none() {
         return Err(failure("there is no such file".to_owned()));
     }
-    storage.read(file_name).map_err(|error| match &error.problem {
+    stored(storage).map_err(|error| match &error.problem {
         StorageProblem::NotFound => {
             failure("there is no such file, neither in this folder nor among the built-in samples".to_owned())
         }
@@ -88,8 +132,13 @@ fn content_of(storage: &dyn Storage, path: &Path, file_name: &str) -> Result<Vec
     })
 }
 
+/// Whether a file is larger than all but clouds of points.
+fn is_large(path: &Path) -> bool {
+    std::fs::metadata(path).is_ok_and(|about| about.is_file() && about.len() > LARGEST_FILE)
+}
+
 /// Why a file is not read; options that it does not take are a matter of usage.
-fn failure(name: &str, error: &FileError) -> Failure {
+pub(super) fn failure(name: &str, error: &FileError) -> Failure {
     let message = format!("{name}: {error}");
     match error {
         FileError::NoTable { .. } => Failure::usage(message),
@@ -97,12 +146,20 @@ fn failure(name: &str, error: &FileError) -> Failure {
     }
 }
 
-fn open_stdin(from: Option<FileKind>, table: &TableOptions) -> Result<Opened, Failure> {
+fn open_stdin(from: Option<FileKind>, table: &TableOptions, tables: Tables) -> Result<Opened, Failure> {
     let kind = from.ok_or_else(|| Failure::usage("- has no extension: say what comes, as in --from ip2"))?;
     let name = "standard input".to_owned();
-    let content =
-        read_stream(std::io::stdin().lock()).map_err(|error| Failure::work(format!("{name}: {error}")))?;
-    let document = Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?;
+    let document = match cloud::format_of(kind, tables == Tables::Clouds) {
+        Some(format) => {
+            let stream = Stream { length: None, content: Box::new(io::stdin()) };
+            Document::Cloud(cloud::read(&name, stream, format, table)?)
+        }
+        None => {
+            let content =
+                read_stream(io::stdin().lock()).map_err(|error| Failure::work(format!("{name}: {error}")))?;
+            Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?
+        }
+    };
     Ok(Opened { name, file_name: String::new(), folder: PathBuf::new(), document })
 }
 

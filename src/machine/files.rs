@@ -1,7 +1,7 @@
 //! A program's files, with the contents it last read or wrote, so that it notices a file changed by something else
 //! before overwriting it.
 
-use super::storage::{Storage, StorageError};
+use super::storage::{Storage, StorageError, Stream};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hasher};
@@ -68,6 +68,11 @@ impl Storage for Files {
         let content = self.place.read(name)?;
         self.remember(name, &content);
         Ok(content)
+    }
+
+    /// What is read so is not remembered; programs read so what they do not write.
+    fn stream(&self, name: &str) -> Result<Stream, StorageError> {
+        self.place.stream(name)
     }
 
     fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {

@@ -49,7 +49,7 @@ pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
 pub use stop::{Asked, Asking, Stop};
 pub use storage::{
-    Memory, Storage, StorageError, StorageProblem, check_name, free_name, sample_or_not_found,
+    Memory, Storage, StorageError, StorageProblem, Stream, check_name, free_name, sample_or_not_found,
 };
 
 use crate::screen::{Masks, Screen};

@@ -6,6 +6,7 @@ use super::samples::sample;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::io::{Cursor, Read};
 use std::rc::Rc;
 
 /// What can go wrong with a stored file.
@@ -41,6 +42,20 @@ impl fmt::Display for StorageError {
 
 impl std::error::Error for StorageError {}
 
+/// The content of a file, to be read piece by piece.
+pub struct Stream {
+    /// Its length in bytes, if it is known before its end.
+    pub length: Option<u64>,
+    /// Where the pieces come from.
+    pub content: Box<dyn Read>,
+}
+
+impl From<Vec<u8>> for Stream {
+    fn from(content: Vec<u8>) -> Stream {
+        Stream { length: Some(content.len() as u64), content: Box::new(Cursor::new(content)) }
+    }
+}
+
 /// A set of files. Names are plain file names without folders; case does not matter when reading.
 pub trait Storage {
     /// The whole content of a file; a name that is not there is looked up among the built-in samples.
@@ -48,6 +63,15 @@ pub trait Storage {
     /// # Errors
     /// [`StorageError`] with the name and what is wrong.
     fn read(&self, name: &str) -> Result<Vec<u8>, StorageError>;
+
+    /// The content of a file piece by piece, for files that are too large for [`Storage::read`], such as clouds of
+    /// points.
+    ///
+    /// # Errors
+    /// Those of [`Storage::read`].
+    fn stream(&self, name: &str) -> Result<Stream, StorageError> {
+        self.read(name).map(Stream::from)
+    }
 
     /// Writes a whole file, so that a crash leaves the old content or the new one.
     ///
@@ -142,6 +166,10 @@ impl Storage for Memory {
 impl<S: Storage> Storage for Rc<RefCell<S>> {
     fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
         self.borrow().read(name)
+    }
+
+    fn stream(&self, name: &str) -> Result<Stream, StorageError> {
+        self.borrow().stream(name)
     }
 
     fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {

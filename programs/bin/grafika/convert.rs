@@ -4,7 +4,7 @@ use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use clap::Args;
 use grafika::design::{self, NetDesign};
 use grafika::file::ec::EcDocument;
-use grafika::file::{Document, FileKind, Format, Method, PlanePoints};
+use grafika::file::{CloudFormat, Document, FileKind, Format, Method, PlanePoints};
 use grafika::launch::{Failure, Opened, say, write_output};
 use grafika::machine::Language;
 use grafika::work;
@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
   grafika convert A.IP2 a.json
   cat points.csv | grafika convert - a.ip2 --from csv
   grafika convert A.ZMS - --to json > a.json
-  grafika convert A.IC2 b.ic2")]
+  grafika convert A.IC2 b.ic2
+  grafika convert scan.ply scan.xyz")]
 pub(crate) struct Convert {
     #[command(flatten)]
     source: Source,
@@ -31,7 +32,23 @@ impl Convert {
     /// Converts, and names on stderr what has no place in the target.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let to = output_kind(&self.output, self.to)?;
-        let Opened { name, document, .. } = self.source.open()?;
+        let cloud = match to {
+            FileKind::Dos(format) => CloudFormat::of(format).is_some(),
+            FileKind::Json | FileKind::Csv => false,
+        };
+        let (name, document) = match self.source.kind() {
+            // Of a table that becomes a cloud, columns behind the coordinates are passed over.
+            Some(FileKind::Csv) if cloud => self.source.open_cloud()?,
+            _ => {
+                let Opened { name, document, .. } = self.source.open()?;
+                (name, document)
+            }
+        };
+        if let Document::Cloud(cloud) = &document {
+            for told in cloud.skipped.told() {
+                say("grafika", &format!("{name}: left out: {told}"));
+            }
+        }
         let output = self.output.display().to_string();
         let encoded = |document: &Document| {
             let content = document.encode(to);
@@ -44,6 +61,10 @@ impl Convert {
             FileKind::Csv => {
                 lost = extras(&document);
                 encoded(&bare(document))?
+            }
+            FileKind::Dos(format) if cloud => {
+                lost = extras(&document);
+                encoded(&document.adapted(format))?
             }
             FileKind::Dos(format) => {
                 lost = design::lost(&document, format, implied(&document, format));
@@ -88,6 +109,9 @@ fn extras(document: &Document) -> Vec<String> {
     if let Document::PlanePoints(plane) = document {
         extras.extend(plane.tangents.iter().map(|_| "tangents".to_owned()));
         extras.extend(plane.joints.iter().map(|_| "joints".to_owned()));
+    }
+    if let Document::SpacePoints(space) = document {
+        extras.extend(space.tangents.iter().map(|_| "tangents".to_owned()));
     }
     if let Document::Ec(document) = document
         && let EcDocument::Curve(curve) = &**document

@@ -55,7 +55,12 @@ impl Smooth {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let to_stdout = is_stream(&self.output);
         let kind = output_kind(&self.output, self.to.or(to_stdout.then_some(FileKind::Csv)))?;
-        let opened = open_as(&self.input, self.from.from, &self.table.options())?;
+        let mut opened = open_as(&self.input, self.from.from, &self.table.options())?;
+        if let Document::Cloud(cloud) = &opened.document {
+            // Measured points may come as a cloud whose points follow each other.
+            let format = if cloud.is_plane() { Format::Ip2 } else { Format::Ip3 };
+            opened.document = opened.document.adapted(format);
+        }
         let alive = progress::alive("smoothing");
         let failure = |error: GeometryError| Failure::work(format!("{}: {}", opened.name, self.said(&error)));
         let (document, residuals, measured) = match &opened.document {
@@ -69,7 +74,7 @@ impl Smooth {
             }
             _ => {
                 return Err(Failure::work(format!(
-                    "{}: this file holds no points; .IP2, .IC2, .IP3, .csv and .json can",
+                    "{}: this file holds no points; .IP2, .IC2, .IP3, .csv, .json and clouds (.xyz, .ply, .obj, .stl) can",
                     opened.name
                 )));
             }

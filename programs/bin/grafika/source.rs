@@ -2,8 +2,8 @@
 
 use crate::sample::extension;
 use clap::Args;
-use grafika::file::{FileKind, Format};
-use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as, write_output};
+use grafika::file::{Document, FileKind, Format};
+use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as, open_cloud, write_output};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -26,6 +26,17 @@ pub(crate) struct InputFormat {
 }
 
 impl Source {
+    /// The kind of what is read, as said or by the name, if either tells.
+    pub(crate) fn kind(&self) -> Option<FileKind> {
+        self.from.from.or_else(|| input_kind(&self.file))
+    }
+
+    /// Reads the file or standard input as a cloud of points, with its name for messages.
+    pub(crate) fn open_cloud(&self) -> Result<(String, Document), Failure> {
+        let (name, cloud) = open_cloud(&self.file, self.from.from, &self.table.options())?;
+        Ok((name, Document::Cloud(cloud)))
+    }
+
     /// Reads the file or standard input.
     pub(crate) fn open(&self) -> Result<Opened, Failure> {
         let known = self.from.from.is_some() || is_stream(&self.file) || self.file.is_dir();

@@ -37,11 +37,7 @@ pub(crate) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Ask
 
 /// Like [`ask_index`], but for one of the `count` existing points. If there is no such point, it says so and cancels
 /// the command.
-pub(crate) async fn ask_existing(
-    desk: &mut Desk<'_>,
-    picture: &dyn Picture,
-    count: usize,
-) -> Asked<usize> {
+pub(crate) async fn ask_existing(desk: &mut Desk<'_>, picture: &dyn Picture, count: usize) -> Asked<usize> {
     if count == 0 {
         desk.tell(words::NO_POINTS, Stay::Briefly);
         return Err(Stop::Cancelled);

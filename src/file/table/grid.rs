@@ -8,7 +8,7 @@ use std::ops::Range;
 
 /// The cells of a table in one text, row by row; rows without anything in them are left out.
 #[derive(Debug)]
-pub(super) struct Grid {
+pub(in crate::file) struct Grid {
     text: String,
     /// Where cells end in the text.
     ends: Vec<usize>,
@@ -28,7 +28,7 @@ impl Grid {
     ///
     /// # Errors
     /// [`FileError::Text`] for what the reader of CSV does not take.
-    pub(super) fn read(lines: &Lines<'_>, delimiter: Delimiter) -> Result<Grid, FileError> {
+    pub(in crate::file) fn read(lines: &Lines<'_>, delimiter: Delimiter) -> Result<Grid, FileError> {
         let blanks = delimiter == Delimiter::Blanks;
         let spaced = (blanks && lines.text.contains('\t')).then(|| lines.text.replace('\t', " "));
         let text = spaced.as_deref().unwrap_or(&lines.text);
@@ -73,12 +73,12 @@ impl Grid {
     }
 
     /// The number of rows.
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::file) fn len(&self) -> usize {
         self.rows.len()
     }
 
     /// The number of a row's line in the file.
-    pub(super) fn line(&self, row: usize) -> usize {
+    pub(in crate::file) fn line(&self, row: usize) -> usize {
         self.rows.get(row).map_or(1, |row| row.line)
     }
 
@@ -88,12 +88,12 @@ impl Grid {
     }
 
     /// How many cells a row has.
-    pub(super) fn width(&self, row: usize) -> usize {
+    pub(in crate::file) fn width(&self, row: usize) -> usize {
         self.range(row).len()
     }
 
     /// The cell in a column of a row; empty if there is none.
-    pub(super) fn cell(&self, row: usize, column: usize) -> &str {
+    pub(in crate::file) fn cell(&self, row: usize, column: usize) -> &str {
         let range = self.range(row);
         if column >= range.len() {
             return "";
@@ -104,7 +104,7 @@ impl Grid {
     }
 
     /// The cells of a row.
-    pub(super) fn cells(&self, row: usize) -> impl Iterator<Item = &str> {
+    pub(in crate::file) fn cells(&self, row: usize) -> impl Iterator<Item = &str> {
         (0..self.width(row)).map(move |column| self.cell(row, column))
     }
 }

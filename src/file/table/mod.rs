@@ -18,14 +18,16 @@ mod options;
 mod read;
 mod text;
 
-pub(super) use columns::{Unchosen, by_axes, by_numbers, by_option};
+pub(super) use columns::{Chosen, Unchosen, by_axes, by_numbers, by_option};
+pub(super) use grid::Grid;
+pub(super) use number::{Number, decimal, doubt, value};
 pub use options::{Columns, Decimal, Delimiter, TableOptions};
-pub(super) use text::{decoded, decoded_table};
+pub(super) use read::{comment_names, header, names_above, place_of, told};
+pub(super) use text::{Lines, decoded, decoded_table};
 
 use super::ec::EcDocument;
-use super::{Document, FileError, Places, PlanePoints, SpacePoints, check};
+use super::{CloudFormat, Document, FileError, Places, PlanePoints, SpacePoints, check};
 use read::{Refusal, Stage, Table};
-use text::Lines;
 
 const PLANE_HEADER: &str = "x,y";
 const SPACE_HEADER: &str = "x,y,z";
@@ -123,6 +125,10 @@ impl Document {
             }
             Self::SpacePoints(SpacePoints { points, tangents: None, settings }) if settings.is_empty() => {
                 Ok(written(SPACE_HEADER, points))
+            }
+            Self::Cloud(cloud) => {
+                let bytes = cloud.write(CloudFormat::Csv)?;
+                String::from_utf8(bytes).map_err(|error| FileError::Invalid(error.to_string()))
             }
             Self::Ec(document) => match &**document {
                 EcDocument::Curve(curve) => Ok(written(SPACE_HEADER, &curve.points)),

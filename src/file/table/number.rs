@@ -1,17 +1,18 @@
 //! Numbers as tables have them: with a decimal point or comma, and digits in groups of three.
 
-use super::Decimal;
+use super::super::check;
+use super::{Decimal, TableOptions};
 
 /// A number in a cell, before it is known which sign its fraction has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number<'c> {
+pub(in crate::file) struct Number<'c> {
     cell: &'c str,
-    pub(super) signs: Signs,
+    pub(in crate::file) signs: Signs,
 }
 
 /// What the signs of a number say about the decimal sign of its table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Signs {
+pub(in crate::file) enum Signs {
     /// There is none: `12`.
     None,
     /// It is this one, for the number could not be written otherwise: `1,5`, `1.234,5`, `1.234.567`.
@@ -26,7 +27,7 @@ const GROUPING: [char; 5] = ['\u{a0}', '\u{202f}', '\u{2009}', '\'', '’'];
 
 impl<'c> Number<'c> {
     /// The number in a cell without blanks around it.
-    pub(super) fn read(cell: &'c str) -> Option<Number<'c>> {
+    pub(in crate::file) fn read(cell: &'c str) -> Option<Number<'c>> {
         let (_, mantissa, exponent) = parts(cell);
         if !exponent.is_empty() && !is_exponent(exponent) {
             return None;
@@ -50,7 +51,7 @@ impl<'c> Number<'c> {
     }
 
     /// Its value with this decimal sign; the other one stands between thousands. Infinite if it is too large.
-    pub(super) fn value(self, decimal: Decimal) -> f64 {
+    pub(in crate::file) fn value(self, decimal: Decimal) -> f64 {
         // Almost all numbers are as Rust writes them.
         let plain = |sign: u8| sign.is_ascii_digit() || b"+-.eE".contains(&sign);
         let value =
@@ -74,6 +75,63 @@ impl<'c> Number<'c> {
         // It has been looked at in `read`: this is a number.
         text.parse().unwrap_or(f64::INFINITY)
     }
+}
+
+/// The decimal sign of the numbers in some cells: the first that is sure, else a point.
+///
+/// # Errors
+/// The place of the first number whose comma may be the decimal sign or stand between thousands.
+pub(in crate::file) fn decimal<'c, P>(cells: impl Iterator<Item = (P, &'c str)>) -> Result<Decimal, P> {
+    let mut doubtful = None;
+    for (place, cell) in cells {
+        match Number::read(cell).map(|number| number.signs) {
+            Some(Signs::Sure(decimal)) => return Ok(decimal),
+            Some(Signs::Doubtful(Decimal::Comma)) => doubtful = doubtful.or(Some(place)),
+            // A point is a decimal point unless something speaks against it.
+            Some(Signs::Doubtful(Decimal::Point) | Signs::None) | None => {}
+        }
+    }
+    doubtful.map_or(Ok(Decimal::Point), Err)
+}
+
+/// The number in a cell of a table with this decimal sign, which follows from the cells before it unless it is said.
+///
+/// # Errors
+/// What is wrong with it.
+pub(in crate::file) fn value(cell: &str, decimal: Decimal, said: Option<Decimal>) -> Result<f64, String> {
+    let Some(number) = Number::read(cell) else {
+        return Err(match cell.is_empty() {
+            true => "the cell is empty; a point needs every coordinate".to_owned(),
+            false => format!("\"{cell}\" is not a finite number"),
+        });
+    };
+    match number.signs {
+        Signs::Sure(other) if other != decimal => Err(match said {
+            Some(said) => format!("\"{cell}\" has a decimal {other}, not a decimal {said}"),
+            None => format!("\"{cell}\" has a decimal {other}, a number before it a decimal {decimal}"),
+        }),
+        Signs::Doubtful(other) if other != decimal && said.is_none() => Err(doubt(cell)),
+        _ => match number.value(decimal) {
+            value if value.is_finite() => Ok(value),
+            _ => Err(format!("\"{cell}\" is not a finite number")),
+        },
+    }
+}
+
+/// The message about a number whose sign may be the decimal one or stand between thousands.
+pub(in crate::file) fn doubt(cell: &str) -> String {
+    let values = [Decimal::Point, Decimal::Comma]
+        .map(|decimal| Number::read(cell).map_or(f64::NAN, |number| number.value(decimal)));
+    let [small, large] = match values {
+        [a, b] if a.abs() <= b.abs() => [a, b],
+        [a, b] => [b, a],
+    };
+    let option = TableOptions::DECIMAL;
+    format!(
+        "\"{cell}\" may be {} or {}; {option} point or {option} comma decides",
+        check::number(small),
+        check::number(large)
+    )
 }
 
 const MINUS: char = '\u{2212}';

@@ -48,7 +48,7 @@ pub enum Delimiter {
 
 impl Delimiter {
     /// Every delimiter; those that are looked for first stand first.
-    pub(super) const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Blanks];
+    pub(in crate::file) const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Blanks];
 
     /// Its name on the command line.
     #[must_use]
@@ -147,7 +147,7 @@ pub(in crate::file) enum Column {
 
 impl Columns {
     /// Whether all of them are numbers.
-    pub(super) fn are_numbers(&self) -> bool {
+    pub(in crate::file) fn are_numbers(&self) -> bool {
         self.0.iter().all(|column| matches!(column, Column::Number(_)))
     }
 

@@ -1,10 +1,10 @@
 //! Reading a table with a delimiter: where the coordinates are, and what they are.
 
-use super::super::{Document, FileError, check};
+use super::super::{Document, FileError};
 use super::columns::{Chosen, Unchosen, by_axes, by_numbers, by_option};
 use super::error;
 use super::grid::Grid;
-use super::number::{Number, Signs};
+use super::number::{self, Number};
 use super::options::{Columns, Decimal, Delimiter, TableOptions};
 use super::text::Lines;
 
@@ -87,21 +87,13 @@ impl Table {
 
     /// The decimal sign of the numbers in the columns.
     fn decimal(&self, options: &TableOptions) -> Result<Decimal, FileError> {
-        if let Some(decimal) = options.decimal {
-            return Ok(decimal);
-        }
-        let mut doubtful = None;
-        for row in self.place.first..self.grid.len() {
-            for &column in &self.place.columns {
-                match Number::read(self.grid.cell(row, column)).map(|number| number.signs) {
-                    Some(Signs::Sure(decimal)) => return Ok(decimal),
-                    Some(Signs::Doubtful(Decimal::Comma)) => doubtful = doubtful.or(Some((row, column))),
-                    // A point is a decimal point unless something speaks against it.
-                    Some(Signs::Doubtful(Decimal::Point) | Signs::None) | None => {}
-                }
-            }
-        }
-        doubtful.map_or(Ok(Decimal::Point), |(row, column)| Err(self.doubt(row, column)))
+        let cells = (self.place.first..self.grid.len()).flat_map(|row| {
+            self.place.columns.iter().map(move |&column| ((row, column), self.grid.cell(row, column)))
+        });
+        options.decimal.map_or_else(|| number::decimal(cells), Ok).map_err(|(row, column)| {
+            let problem = number::doubt(self.grid.cell(row, column));
+            error(self.grid.line(row), &self.place_of(column), problem)
+        })
     }
 
     /// The number in a cell.
@@ -112,53 +104,20 @@ impl Table {
         decimal: Decimal,
         options: &TableOptions,
     ) -> Result<f64, FileError> {
-        let cell = self.grid.cell(row, column);
-        let problem = match Number::read(cell) {
-            None if cell.is_empty() => "the cell is empty; a point needs every coordinate".to_owned(),
-            None => format!("\"{cell}\" is not a finite number"),
-            Some(number) => match number.signs {
-                Signs::Sure(other) if other != decimal => match options.decimal {
-                    Some(said) => format!("\"{cell}\" has a decimal {other}, not a decimal {said}"),
-                    None => {
-                        format!("\"{cell}\" has a decimal {other}, a number before it a decimal {decimal}")
-                    }
-                },
-                Signs::Doubtful(other) if other != decimal && options.decimal.is_none() => {
-                    return Err(self.doubt(row, column));
-                }
-                _ => match number.value(decimal) {
-                    value if value.is_finite() => return Ok(value),
-                    _ => format!("\"{cell}\" is not a finite number"),
-                },
-            },
-        };
-        Err(error(self.grid.line(row), &self.place_of(column), problem))
+        let value = number::value(self.grid.cell(row, column), decimal, options.decimal);
+        value.map_err(|problem| error(self.grid.line(row), &self.place_of(column), problem))
     }
 
-    /// A number whose sign may be the decimal one or stand between thousands.
-    fn doubt(&self, row: usize, column: usize) -> FileError {
-        let cell = self.grid.cell(row, column);
-        let values = [Decimal::Point, Decimal::Comma]
-            .map(|decimal| Number::read(cell).map_or(f64::NAN, |number| number.value(decimal)));
-        let [small, large] = match values {
-            [a, b] if a.abs() <= b.abs() => [a, b],
-            [a, b] => [b, a],
-        };
-        let option = TableOptions::DECIMAL;
-        let problem = format!(
-            "\"{cell}\" may be {} or {}; {option} point or {option} comma decides",
-            check::number(small),
-            check::number(large)
-        );
-        error(self.grid.line(row), &self.place_of(column), problem)
-    }
-
-    /// A column for messages: `column 2 (y)`.
     fn place_of(&self, column: usize) -> String {
-        match self.place.names.get(column).filter(|name| !name.is_empty()) {
-            Some(name) => format!("column {} ({name})", column + 1),
-            None => format!("column {}", column + 1),
-        }
+        place_of(column, &self.place.names)
+    }
+}
+
+/// A column for messages: `column 2 (y)`.
+pub(in crate::file) fn place_of(column: usize, names: &[String]) -> String {
+    match names.get(column).filter(|name| !name.is_empty()) {
+        Some(name) => format!("column {} ({name})", column + 1),
+        None => format!("column {}", column + 1),
     }
 }
 
@@ -254,7 +213,7 @@ impl Place {
 }
 
 /// The columns that names tell, by what the user says or as axes.
-fn told(names: &[String], options: &TableOptions) -> Result<Chosen, Unchosen> {
+pub(in crate::file) fn told(names: &[String], options: &TableOptions) -> Result<Chosen, Unchosen> {
     match &options.columns {
         Some(columns) => by_option(columns, names),
         None => by_axes(names),
@@ -279,7 +238,7 @@ fn is_several(cell: &str) -> bool {
 }
 
 /// The names in a row; units that blanks have separated from them belong to them.
-fn header(grid: &Grid, row: usize, delimiter: Delimiter) -> Vec<String> {
+pub(in crate::file) fn header(grid: &Grid, row: usize, delimiter: Delimiter) -> Vec<String> {
     joined(grid.cells(row), delimiter)
 }
 
@@ -298,7 +257,7 @@ fn joined<'c>(cells: impl Iterator<Item = &'c str>, delimiter: Delimiter) -> Vec
 }
 
 /// The names in a comment, if there are as many as columns.
-fn comment_names(comment: &str, delimiter: Delimiter, width: usize) -> Vec<String> {
+pub(in crate::file) fn comment_names(comment: &str, delimiter: Delimiter, width: usize) -> Vec<String> {
     let blanks = delimiter == Delimiter::Blanks;
     let cells =
         comment.split(|sign: char| if blanks { sign.is_whitespace() } else { sign == delimiter.sign() });
@@ -320,7 +279,7 @@ fn is_unit(cell: &str) -> bool {
 }
 
 /// The names above the first row of numbers, perhaps with units between them.
-fn names_above(grid: &Grid, first: usize, delimiter: Delimiter) -> Vec<String> {
+pub(in crate::file) fn names_above(grid: &Grid, first: usize, delimiter: Delimiter) -> Vec<String> {
     let width = grid.width(first);
     let fits = |row: usize| {
         let names = header(grid, row, delimiter);

@@ -48,15 +48,15 @@ fn utf16(bytes: &[u8]) -> Option<String> {
 
 /// The lines of a table.
 #[derive(Debug)]
-pub(super) struct Lines<'t> {
+pub(in crate::file) struct Lines<'t> {
     /// Those that count, each with a line feed behind it.
-    pub(super) text: String,
+    pub(in crate::file) text: String,
     /// Their numbers in the file.
-    pub(super) numbers: Vec<usize>,
+    pub(in crate::file) numbers: Vec<usize>,
     /// The comments without their sign, with the numbers of their lines.
-    pub(super) comments: Vec<(usize, &'t str)>,
+    pub(in crate::file) comments: Vec<(usize, &'t str)>,
     /// The delimiter that the first line names.
-    pub(super) delimiter: Option<Delimiter>,
+    pub(in crate::file) delimiter: Option<Delimiter>,
 }
 
 impl<'t> Lines<'t> {
@@ -64,7 +64,7 @@ impl<'t> Lines<'t> {
     ///
     /// # Errors
     /// [`FileError::Text`] for a text with zero bytes.
-    pub(super) fn read(text: &'t str) -> Result<Lines<'t>, FileError> {
+    pub(in crate::file) fn read(text: &'t str) -> Result<Lines<'t>, FileError> {
         let text = text.trim_start_matches('\u{feff}');
         let mut lines = Lines {
             text: String::with_capacity(text.len() + 1),
@@ -104,7 +104,7 @@ impl<'t> Lines<'t> {
     }
 
     /// The comment right above a line of the file.
-    pub(super) fn comment_above(&self, line: usize) -> Option<&'t str> {
+    pub(in crate::file) fn comment_above(&self, line: usize) -> Option<&'t str> {
         let after = self.comments.partition_point(|(number, _)| *number < line);
         self.comments.get(after.checked_sub(1)?).map(|(_, comment)| *comment)
     }

@@ -62,7 +62,8 @@ fn a_letter_becomes_a_curve() {
         let net = learnt(&cloud, Net::random(&cloud, size, Topology::Open, 5).unwrap(), None);
         let (report, fit) = fitted(&cloud, &net);
         let Fitted::Curve(curve) = fit.fitted().unwrap() else { panic!("a curve") };
-        let (data, truth) = (report.rms / NOISE, rms(CloudShape::Letter, &curve.polyline(10).unwrap()) / NOISE);
+        let (data, truth) =
+            (report.rms / NOISE, rms(CloudShape::Letter, &curve.polyline(10).unwrap()) / NOISE);
         assert!(data < 1.15 && truth < 0.6, "{data} {truth}");
         reports.push((report.rms, fit.distances().to_vec()));
     }
