@@ -6,8 +6,11 @@
 //! (2.3.8), and the "characteristic frames" of chapter 5's list as the corners of two solids. `A.GBP` is a
 //! Fourier curve (2.2) near `A.IP2`. `A.CSK` and `B.CSK` are two finished Csángó
 //! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`, those of KC_TER in
-//! `make_samples/spaces.rs`, those of PH_GORBE in `make_samples/offsets.rs`, those of CSOMO and ALAKPAR in `make_samples/knots.rs`. The same bytes come out every time.
+//! `make_samples/spaces.rs`, those of PH_GORBE in `make_samples/offsets.rs`, those of CSOMO and ALAKPAR in
+//! `make_samples/knots.rs`, those of SOM_FEL in `make_samples/clouds.rs`. The same bytes come out every time.
 
+#[path = "make_samples/clouds.rs"]
+mod clouds;
 #[path = "make_samples/knots.rs"]
 mod knots;
 #[path = "make_samples/nets.rs"]
@@ -66,6 +69,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let normals = normals::samples()?.into_iter().map(Ok);
     let offsets = offsets::samples()?.into_iter().map(Ok);
     let knots = knots::samples()?.into_iter().map(Ok);
+    let clouds = clouds::samples()?.into_iter().map(Ok);
     plane
         .chain(space)
         .chain(cubes)
@@ -75,6 +79,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         .chain(normals)
         .chain(offsets)
         .chain(knots)
+        .chain(clouds)
         .collect()
 }
 
