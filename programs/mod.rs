@@ -28,6 +28,7 @@ pub mod menu;
 pub mod ph_gorbe;
 pub mod pn_felul;
 mod puzzles;
+pub mod som_fel;
 #[cfg(feature = "native")]
 pub mod telepit;
 pub mod vjs;
@@ -75,6 +76,7 @@ pub const ALL: &[Program] = &[
     ph_gorbe::PROGRAM,
     pn_felul::PROGRAM,
     alakpar::PROGRAM,
+    som_fel::PROGRAM,
     biliard::PROGRAM,
     gyongy_k::PROGRAM,
     csango_k::PROGRAM,
@@ -95,7 +97,6 @@ pub fn of_format(format: Format) -> Option<&'static Program> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::file::CloudFormat;
     use crate::machine::Language;
 
     #[test]
@@ -128,11 +129,10 @@ mod tests {
 
     #[test]
     fn every_format_belongs_to_a_program() {
-        // Rational curves and patches are made for other programs; `grafika render` shows them. Clouds come from
-        // other programs.
-        use Format::{Csf, Csm, Gom, Kor, Rbc, Rbs, Som};
-        let made = |format: Format| [Rbc, Rbs, Csm, Csf, Som, Kor, Gom].contains(&format);
-        let opened = Format::ALL.iter().filter(|&&format| !made(format) && CloudFormat::of(format).is_none());
+        // Rational curves and patches are made for other programs; `grafika render` shows them.
+        use Format::{Csf, Csm, Gom, Kor, Rbc, Rbs};
+        let made = |format: Format| [Rbc, Rbs, Csm, Csf, Kor, Gom].contains(&format);
+        let opened = Format::ALL.iter().filter(|&&format| !made(format));
         assert!(opened.into_iter().all(|&format| of_format(format).is_some()));
     }
 }
