@@ -7,8 +7,11 @@
 //! Fourier curve (2.2) near `A.IP2`. `A.CSK` and `B.CSK` are two finished Csángó
 //! cubes (4.4). The nets of chapter 3 are in `make_samples/nets.rs`, those of KC_TER in
 //! `make_samples/spaces.rs`, those of PH_GORBE in `make_samples/offsets.rs`, those of CSOMO and ALAKPAR in
-//! `make_samples/knots.rs`, those of BURKOLO in `make_samples/skins.rs`. The same bytes come out every time.
+//! `make_samples/knots.rs`, those of BURKOLO in `make_samples/skins.rs`, those of SOM_FEL in `make_samples/clouds.rs`. The
+//! same bytes come out every time.
 
+#[path = "make_samples/clouds.rs"]
+mod clouds;
 #[path = "make_samples/knots.rs"]
 mod knots;
 #[path = "make_samples/nets.rs"]
@@ -70,6 +73,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     let offsets = offsets::samples()?.into_iter().map(Ok);
     let knots = knots::samples()?.into_iter().map(Ok);
     let skins = skins::samples()?.into_iter().map(Ok);
+    let clouds = clouds::samples()?.into_iter().map(Ok);
     plane
         .chain(space)
         .chain(cubes)
@@ -80,6 +84,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         .chain(offsets)
         .chain(knots)
         .chain(skins)
+        .chain(clouds)
         .collect()
 }
 

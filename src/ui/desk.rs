@@ -5,6 +5,7 @@ use super::lesson::{self, Lesson};
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{self, Phrase, Words};
 use crate::figure::{Figure, wrap};
+use crate::file::Document;
 use crate::geometry::ParamSurface;
 use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Preference, Preferences, Tick};
 use crate::screen::{Color, HEIGHT, Screen, WIDTH};
@@ -24,6 +25,11 @@ pub trait Picture {
     /// The surfaces that it shows, which F10 can save as a model too.
     fn surfaces(&self) -> Vec<Box<dyn ParamSurface>> {
         Vec::new()
+    }
+
+    /// What it shows as a document, for pictures whose own files hold something else; F10 can save it too.
+    fn exported(&self) -> Option<Document> {
+        None
     }
 
     /// What can be done now, which is shown where nothing is asked, in the manner of today.
@@ -63,6 +69,10 @@ impl<F: Fn(&mut Screen, Language)> Picture for Over<'_, F> {
 
     fn surfaces(&self) -> Vec<Box<dyn ParamSurface>> {
         self.under.surfaces()
+    }
+
+    fn exported(&self) -> Option<Document> {
+        self.under.exported()
     }
 }
 

@@ -34,6 +34,8 @@ pub(crate) struct Look {
     unit: f64,
     /// The place in the middle of the picture.
     middle: Point<3>,
+    /// Where that is, in pixels from the middle of the originals' picture.
+    shift: (i32, i32),
 }
 
 /// What an arrow key does when the view is along the z axis.
@@ -49,7 +51,12 @@ impl Look {
     /// The look at a new configuration from a direction.
     pub(crate) fn new(direction: Point<3>, poles: Poles) -> Look {
         let home = View::from_direction(direction);
-        Look { view: home, home, poles, zoom: 0, unit: 1.0, middle: [0.0; 3] }
+        Look { view: home, home, poles, zoom: 0, unit: 1.0, middle: [0.0; 3], shift: (0, 0) }
+    }
+
+    /// The look in a picture whose middle is elsewhere on the screen.
+    pub(crate) fn shifted(self, shift: (i32, i32)) -> Look {
+        Look { shift, ..self }
     }
 
     /// The look that shows all of a box, if at the scale of 1 it would be far too small, too large or beside the
@@ -83,7 +90,7 @@ impl Look {
     pub(crate) fn to_screen(self, point: Point<3>) -> (i32, i32) {
         let point = std::array::from_fn(|d| point[d] - self.middle[d]);
         let [x, y] = self.view.pixel(point, self.scale());
-        (pixel(x), pixel(y))
+        (pixel(x) + self.shift.0, pixel(y) + self.shift.1)
     }
 
     /// A point dragged by pixels to the right and down; its depth stays.

@@ -13,6 +13,7 @@ use crate::figure::{
     Axes, Figure, FigureError, MODEL_TOLERANCE, ModelFormat, ModelOptions, SMALLEST_WIDTH, screen_pdf,
     screen_png, screen_png_of_scale, screen_svg,
 };
+use crate::file::{Document, Format};
 use crate::geometry::ParamSurface;
 use crate::machine::{Asked, Manner, Storage, free_name};
 use crate::screen::{Color, Screen, WIDTH};
@@ -31,6 +32,7 @@ enum Kind {
 enum Wanted {
     Figure(Kind),
     Model(ModelFormat),
+    Document,
 }
 
 /// What can be saved, with its extension, its answer, and the left and right edge of the answer on the page.
@@ -49,6 +51,10 @@ const MODELS: [Offer; 4] = [
     (Wanted::Model(ModelFormat::Obj), "obj", Hot::new('O', "BJ", "BJ"), (122, 162)),
     (Wanted::Model(ModelFormat::Ply), "ply", Hot::new('Y', "-PLY", "-PLY"), (168, 226)),
 ];
+
+/// The figures where there is a document too, and the document, whose extension is its own.
+const FIGURE_EDGES: [(i32, i32); 3] = [(4, 54), (60, 110), (116, 166)];
+const DOCUMENT_EDGES: (i32, i32) = (172, 232);
 
 /// Steps a span of a model that is a mesh.
 const STEPS: usize = 10;
@@ -88,8 +94,10 @@ impl Desk<'_> {
         // The originals show no models: their questions stay as they are.
         let mut surfaces = picture.surfaces();
         surfaces.retain(|_| self.machine.manner() == Manner::Today);
-        let (wanted, extension) = self.ask_format(picture, !surfaces.is_empty()).await?;
+        let document = picture.exported().filter(|_| self.machine.manner() == Manner::Today);
+        let (wanted, extension) = self.ask_format(picture, !surfaces.is_empty(), document.as_ref()).await?;
         let kind = match wanted {
+            Wanted::Document => return self.save_document(picture, document, extension).await,
             Wanted::Model(format) => return self.save_model(picture, format, &surfaces, extension).await,
             Wanted::Figure(kind) => kind,
         };
@@ -139,7 +147,32 @@ impl Desk<'_> {
         Ok(())
     }
 
-    async fn ask_format(&mut self, picture: &dyn Picture, models: bool) -> Asked<(Wanted, &'static str)> {
+    async fn save_document(
+        &mut self,
+        picture: &dyn Picture,
+        document: Option<Document>,
+        extension: &str,
+    ) -> Asked<()> {
+        let name = self.ask_name(picture, extension).await?;
+        let Some(document) = document else { return Ok(()) };
+        let saved = document.write(document.format()).map_err(|error| words::in_file(&name, &error));
+        let saved = saved.and_then(|file| {
+            let written = self.machine.storage().write(&name, &file);
+            written.map_err(|error| words::storage_problem(&error))
+        });
+        match saved {
+            Ok(()) => self.tell(words::figure_saved(&self.located(&name)), Stay::Briefly),
+            Err(problem) => self.tell(problem, Stay::UntilRead),
+        }
+        Ok(())
+    }
+
+    async fn ask_format(
+        &mut self,
+        picture: &dyn Picture,
+        models: bool,
+        document: Option<&Document>,
+    ) -> Asked<(Wanted, &'static str)> {
         let (x, y) = TOP;
         let answer = |top: i32| {
             move |(wanted, extension, text, (left, right)): Offer| {
@@ -151,6 +184,17 @@ impl Desk<'_> {
             captions: vec![Caption { at: (x + 7, y + 8), text: words::ASK_KIND.into(), color: Color::Black }],
             answers: FIGURES.map(answer(21)).into(),
         };
+        if let Some(document) = document {
+            for (figure, edges) in choices.answers.iter_mut().zip(FIGURE_EDGES) {
+                (figure.0.x1, figure.0.x2) = (x + edges.0, x + edges.1);
+            }
+            let format = document.format();
+            let text = match format {
+                Format::Csm => words::CSM,
+                _ => words::CSF,
+            };
+            choices.answers.push(answer(21)((Wanted::Document, format.extension(), text, DOCUMENT_EDGES)));
+        }
         if models {
             // There is no room for the question besides; two rows of formats ask enough.
             choices.captions.clear();

@@ -74,6 +74,8 @@ pub(crate) const NO_DOT: Words = Words(
 
 // Figures and films.
 pub(crate) const SVG: Hot = Hot::new('S', "VG", "VG");
+pub(crate) const CSM: Hot = Hot::new('C', "SM", "SM");
+pub(crate) const CSF: Hot = Hot::new('C', "SF", "SF");
 pub(crate) const PNG: Hot = Hot::new('P', "NG", "NG");
 pub(crate) const PDF: Hot = Hot::new('D', " - PDF", " - PDF");
 pub(crate) const ASK_KIND: Words = Words("      Ábra formátuma ?", "       Figure format?");

@@ -4,12 +4,13 @@ use super::files::read_document;
 use super::life::Work;
 use crate::design::{Design, Shape};
 use crate::figure::all_lines;
-use crate::file::{Document, Format, Method, SPACE_VIEW};
+use crate::file::{CloudFormat, CloudReader, Document, Format, Method, SPACE_VIEW, TableOptions};
 use crate::geometry::{BoundingBox, ParamCurve, ParamSurface, Point, View};
 use crate::machine::{Asked, Event, Key, Language, SAMPLES, Stop, Storage, Tick};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
 use crate::ui::{Accepts, Area, Desk, Entry, Over, Typed, panel, window};
+use std::io::Read;
 
 /// The page, and the cells of the small pictures on it.
 const PAGE: Area = Area::new(60, 62, 580, 436);
@@ -27,6 +28,10 @@ const STEPS: usize = 8;
 const MESH: usize = 5;
 /// More files than anybody looks through; the others are opened by typing their names.
 const MOST: usize = 400;
+
+/// Bytes of a cloud that are read for its small picture, and points that are drawn.
+const BEGINNING: u64 = 1 << 16;
+const MOST_DOTS: usize = 600;
 
 /// A file that fits.
 struct Found {
@@ -81,11 +86,41 @@ fn fitting(storage: &dyn Storage, format: Format, endings: &[String]) -> Vec<Fou
     let names = own.into_iter().map(named(false)).chain(samples.into_iter().map(named(true)));
     // What cannot be read is left out only where the name alone does not say that it fits.
     let readable = names.filter_map(|(name, built_in)| {
+        if let Some(cloud) = cloud_format(&name) {
+            let lines = beginning(storage, &name, cloud).map(|points| dots(&points)).unwrap_or_default();
+            return Some(Found { name, built_in, lines });
+        }
         let document = read_document(storage, &name, Format::from_name(&name).unwrap_or(format)).ok();
         let lines = document.as_ref().map(lines_of).unwrap_or_default();
         (document.is_some() || endings != [".json"]).then_some(Found { name, built_in, lines })
     });
     readable.collect()
+}
+
+/// The format of the cloud that a file of this name holds, if it does.
+fn cloud_format(name: &str) -> Option<CloudFormat> {
+    name.rsplit_once('.').and_then(|(_, extension)| CloudFormat::from_extension(extension))
+}
+
+/// The points at the beginning of a cloud, which may be too large to be read just to show it.
+fn beginning(storage: &dyn Storage, name: &str, format: CloudFormat) -> Option<Vec<Point<3>>> {
+    let mut reader = CloudReader::new(format, &TableOptions::default()).ok()?;
+    let mut piece = Vec::new();
+    storage.stream(name).ok()?.content.take(BEGINNING).read_to_end(&mut piece).ok()?;
+    reader.feed(&piece).ok()?;
+    match reader.points() {
+        [] => reader.finish().ok().map(|cloud| cloud.points),
+        points => Some(points.to_vec()),
+    }
+}
+
+/// Points as lines without length, every n-th of many.
+fn dots(points: &[Point<3>]) -> Vec<Vec<Point<2>>> {
+    let view = View::from_direction(SPACE_VIEW);
+    let flat = points.iter().all(|[_, _, z]| *z == 0.0);
+    let place = |point: &Point<3>| if flat { [point[0], point[1]] } else { view.place(*point) };
+    let every = points.len().div_ceil(MOST_DOTS).max(1);
+    points.iter().step_by(every).map(|point| vec![place(point); 2]).collect()
 }
 
 /// The lines that a document is recognised by: its curve, or its net.
@@ -94,6 +129,7 @@ fn lines_of(document: &Document) -> Vec<Vec<Point<2>>> {
     let net = match document {
         Document::Net(net) => Some(&net.points),
         Document::KnotNet(net) => Some(&net.points),
+        Document::Som(net) => Some(&net.points),
         _ => None,
     };
     if let Some(net) = net {

@@ -5,6 +5,7 @@ mod config;
 mod convert;
 mod curve;
 mod ec;
+mod fit;
 mod knots;
 mod measure;
 mod normals;
@@ -99,6 +100,8 @@ enum Command {
     Split(ec::Split),
     /// Make control points from the coefficients of an exact description
     Exact(ec::Exact),
+    /// Let a net of neurons learn a cloud of points, and fit a surface to it
+    Fit(fit::FitArgs),
     /// What becomes of a B-spline when knots move; knots that bring it through a point
     Knots(knots::Knots),
     /// What becomes of a curve when shape parameters change; those that bring it through points
@@ -156,6 +159,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Elevate(elevate)) => elevate.run(),
         Some(Command::Split(split)) => split.run(),
         Some(Command::Exact(exact)) => exact.run(),
+        Some(Command::Fit(fit)) => fit.run(),
         Some(Command::Knots(knots)) => knots.run(),
         Some(Command::Shape(shape)) => shape.run(),
         Some(Command::Skin(skin)) => skin.run(),

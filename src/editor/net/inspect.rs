@@ -14,7 +14,7 @@ use crate::ui::{Desk, Stay, Words, words};
 
 /// What colours show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Inspection {
+pub(crate) enum Inspection {
     Off,
     /// Isophotes: bands of equal angle between the normal and the direction to the viewer.
     Zebra,
@@ -26,7 +26,7 @@ pub(super) enum Inspection {
 
 impl Inspection {
     /// The one after it; maps of radii are for surfaces with offsets.
-    fn next(self, offsets: bool) -> Inspection {
+    pub(crate) fn next(self, offsets: bool) -> Inspection {
         match self {
             Inspection::Off => Inspection::Zebra,
             Inspection::Zebra => Inspection::Curvature,
@@ -34,11 +34,22 @@ impl Inspection {
             Inspection::Curvature | Inspection::Radius => Inspection::Off,
         }
     }
+
+    /// What its colours show.
+    pub(crate) fn name(self) -> Option<Words> {
+        let [_, zebra, curvature] = words::INSPECTIONS;
+        match self {
+            Inspection::Off => None,
+            Inspection::Zebra => Some(zebra),
+            Inspection::Curvature => Some(curvature),
+            Inspection::Radius => Some(RADIUS),
+        }
+    }
 }
 
 /// A plane perpendicular to an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Section {
+pub(crate) struct Section {
     /// 0 is x, 1 is y, 2 is z.
     axis: usize,
     offset: f64,
@@ -57,29 +68,14 @@ impl Editor<Nets, 3> {
         match tick.key() {
             Some(Key::F(5)) => {
                 self.craft.inspection = self.craft.inspection.next(self.craft.plan.family == Family::Normals);
-                let [_, zebra, curvature] = words::INSPECTIONS;
-                match self.craft.inspection {
-                    Inspection::Off => {}
-                    Inspection::Zebra => desk.tell(zebra, Stay::Briefly),
-                    Inspection::Curvature => desk.tell(curvature, Stay::Briefly),
-                    Inspection::Radius => desk.tell(RADIUS, Stay::Briefly),
+                if let Some(name) = self.craft.inspection.name() {
+                    desk.tell(name, Stay::Briefly);
                 }
             }
-            Some(Key::F(6)) => {
-                let at = |axis: usize| Some(Section { axis, offset: self.lens.look.middle(axis) });
-                self.craft.section = match self.craft.section {
-                    None => at(0),
-                    Some(Section { axis: 2, .. }) => None,
-                    Some(Section { axis, .. }) => at(axis + 1),
-                };
-            }
+            Some(Key::F(6)) => self.craft.section = Section::next(self.craft.section, self.lens.look),
             Some(Key::Char(sign @ ('+' | '-'))) if self.craft.section.is_some() => {
-                let step = self.lens.look.length(if sign == '+' { STEP } else { -STEP });
-                let step = if step.abs() >= 1.0 { step.round() } else { step };
-                self.craft.section = self
-                    .craft
-                    .section
-                    .map(|section| Section { offset: (section.offset + step).clamp(-1e6, 1e6), ..section });
+                let moved = |section: Section| section.moved(sign == '+', self.lens.look);
+                self.craft.section = self.craft.section.map(moved);
             }
             _ => return false,
         }
@@ -88,14 +84,31 @@ impl Editor<Nets, 3> {
 }
 
 impl Section {
+    /// The section after it: through the middle of the picture across x, y, z, or none.
+    pub(crate) fn next(present: Option<Section>, look: Look) -> Option<Section> {
+        let axis = match present {
+            None => 0,
+            Some(Section { axis: 2, .. }) => return None,
+            Some(Section { axis, .. }) => axis + 1,
+        };
+        Some(Section { axis, offset: look.middle(axis) })
+    }
+
+    /// Moved by a step along its axis, up or down.
+    pub(crate) fn moved(self, up: bool, look: Look) -> Section {
+        let step = look.length(if up { STEP } else { -STEP });
+        let step = if step.abs() >= 1.0 { step.round() } else { step };
+        Section { offset: (self.offset + step).clamp(-1e6, 1e6), ..self }
+    }
+
     /// What stands in the corner of the picture.
-    pub(super) fn name(self) -> String {
+    pub(crate) fn name(self) -> String {
         let offset = (self.offset * 1e4).round() / 1e4;
         format!("{} = {offset}", ["x", "y", "z"][self.axis.min(2)])
     }
 
     /// The section of a surface by the plane.
-    pub(super) fn lines(self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
+    pub(crate) fn lines(self, drawn: &Drawn) -> Vec<Vec<Point<3>>> {
         let mut normal = [0.0; 3];
         normal[self.axis.min(2)] = 1.0;
         let plane = Plane { normal, offset: self.offset };
@@ -106,7 +119,7 @@ impl Section {
 
 impl Inspection {
     /// Draws a surface in colours; `false` if nothing is inspected.
-    pub(super) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look, distance: f64) -> bool {
+    pub(crate) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look, distance: f64) -> bool {
         let [rows, columns] = drawn.spans;
         let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
         let fine: Vec<(&dyn ParamSurface, Grid)> =

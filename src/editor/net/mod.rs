@@ -12,8 +12,10 @@ mod show;
 pub(crate) mod surface;
 mod tables;
 
+pub(crate) use inspect::{Inspection, Section};
 pub use plan::{Family, Plan, Start};
 pub use show::{SHOW_KEYS, Show, show};
+pub(crate) use surface::{Display, Drawn, Fill, draw_parts};
 pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS, NORMALS_KEYS};
 
 use super::lens::Held;
@@ -30,12 +32,10 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Commands, Desk, Hint, Stay};
 use crate::work::Next;
 use ask::ask_display;
-use inspect::{Inspection, Section};
 use map::Map;
 use normals::{Beside, Facts};
 use serde::Serialize;
 use std::rc::Rc;
-use surface::{Display, Drawn};
 use tables::Action;
 
 /// Prepares the editor, with or without a document to open.

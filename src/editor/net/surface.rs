@@ -3,7 +3,7 @@
 use super::plan::Family;
 use super::{Nets, normals};
 use crate::design::{DesignError, NetDesign};
-use crate::geometry::{BoundingBox, DepthBuffer, Grid, ParamSurface, Point, Vertex};
+use crate::geometry::{BoundingBox, DepthBuffer, GeometryError, Grid, ParamSurface, Point, Vertex};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
@@ -11,7 +11,7 @@ use crate::ui::words;
 
 /// Wires or filled cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Display {
+pub(crate) enum Display {
     /// Every line is visible.
     Wire,
     /// Black cells with white edges hide what is behind them.
@@ -20,7 +20,7 @@ pub(super) enum Display {
 
 impl Display {
     /// Writes the key that switches to the other one.
-    pub(super) fn draw_legend(self, screen: &mut Screen, language: Language) {
+    pub(crate) fn draw_legend(self, screen: &mut Screen, language: Language) {
         let other = match self {
             Display::Wire => words::FILLED_LEGEND,
             Display::Filled => words::WIRE_LEGEND,
@@ -31,27 +31,27 @@ impl Display {
 
 /// A surface with the grid of points it is drawn from.
 #[derive(Debug)]
-pub(super) struct Drawn {
+pub(crate) struct Drawn {
     /// What it is drawn from: the whole surface, or patches, offsets and walls.
-    pub(super) parts: Vec<Part>,
+    pub(crate) parts: Vec<Part>,
     /// Cells of the net without surface.
-    pub(super) gaps: Vec<Grid>,
+    pub(crate) gaps: Vec<Grid>,
     /// Spans of the whole surface along u and v.
-    pub(super) spans: [usize; 2],
+    pub(crate) spans: [usize; 2],
     /// Grid cells per cell of the net, in each direction.
-    pub(super) steps: usize,
+    pub(crate) steps: usize,
 }
 
 /// A part of what is drawn.
 #[derive(Debug)]
-pub(super) struct Part {
+pub(crate) struct Part {
     /// The surface; walls have none.
-    pub(super) surface: Option<Box<dyn ParamSurface>>,
-    pub(super) grid: Grid,
+    pub(crate) surface: Option<Box<dyn ParamSurface>>,
+    pub(crate) grid: Grid,
     /// Its own colour, for what stands beside the surface.
-    pub(super) ink: Option<Color>,
+    pub(crate) ink: Option<Color>,
     /// Whether it is folded, and so drawn in red.
-    pub(super) folded: bool,
+    pub(crate) folded: bool,
 }
 
 impl Part {
@@ -62,6 +62,17 @@ impl Part {
 }
 
 impl Drawn {
+    /// A whole surface, with so many grid cells per cell of its net.
+    ///
+    /// # Errors
+    /// More points than a grid may have.
+    pub(crate) fn of(surface: Box<dyn ParamSurface>, steps: usize) -> Result<Drawn, GeometryError> {
+        let grid = surface.grid(steps)?;
+        let spans = surface.spans();
+        let part = Part { surface: Some(surface), grid, ink: None, folded: false };
+        Ok(Drawn { parts: vec![part], gaps: Vec::new(), spans, steps })
+    }
+
     /// The parts of the surface itself.
     pub(super) fn own(&self) -> impl Iterator<Item = (&dyn ParamSurface, &Grid)> {
         let own = self.parts.iter().filter(|part| part.ink.is_none());
@@ -69,12 +80,12 @@ impl Drawn {
     }
 
     /// Whether there is more than a line to see.
-    pub(super) fn has_area(&self) -> bool {
+    pub(crate) fn has_area(&self) -> bool {
         self.parts.iter().map(|part| &part.grid).chain(&self.gaps).any(Grid::has_area)
     }
 
     /// All points that it is drawn from.
-    pub(super) fn bounds(&self) -> Option<BoundingBox<3>> {
+    pub(crate) fn bounds(&self) -> Option<BoundingBox<3>> {
         let grids = self.parts.iter().map(|part| &part.grid).chain(&self.gaps);
         grids.filter_map(|grid| BoundingBox::of_points(grid.points())).reduce(BoundingBox::union)
     }
@@ -82,7 +93,7 @@ impl Drawn {
 
 /// What the cells are filled with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Fill {
+pub(crate) enum Fill {
     /// The same colour on both sides.
     Plain,
     /// Grey on the lower side.
@@ -99,10 +110,7 @@ impl Nets {
         let [rows, columns] = net.shape();
         // Large nets are drawn with fewer cells, which keeps the picture quick and readable.
         let steps = (self.plan.steps * 64 / (rows * columns).max(64)).max(2);
-        let grid = surface.grid(steps)?;
-        let spans = surface.spans();
-        let part = Part { surface: Some(surface), grid, ink: None, folded: false };
-        Ok(Drawn { parts: vec![part], gaps: Vec::new(), spans, steps })
+        Ok(Drawn::of(surface, steps)?)
     }
 
     pub(super) fn fill(&self) -> Fill {
@@ -133,7 +141,7 @@ pub(super) fn draw_grid(
 }
 
 /// Draws all parts of a surface; cells without surface are red.
-pub(super) fn draw_parts(
+pub(crate) fn draw_parts(
     screen: &mut Screen,
     drawn: &Drawn,
     look: Look,
