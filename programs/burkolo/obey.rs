@@ -11,7 +11,7 @@ use crate::editor::curve::ask::ask_index;
 use crate::editor::field::PICTURE;
 use crate::editor::place::ask_place_in_field;
 use crate::editor::stage::Stage;
-use crate::file::Document;
+use crate::file::{Document, FIELD};
 use crate::geometry::skin::Clearing;
 use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
@@ -130,7 +130,7 @@ async fn ask_row(editor: &Bench, desk: &mut Desk<'_>, index: usize) -> Asked<Row
     let what = Question::new(TOP, words::ASK_CHANGE, [words::PLACE, texts::RADIUS]);
     Ok(match desk.ask(editor, &what).await? {
         Answer::First => {
-            let [x, y] = ask_place_in_field(desk, editor).await?;
+            let [x, y] = ask_place_in_field(desk, editor, FIELD).await?;
             [x, y, r]
         }
         Answer::Second => [x, y, ask_number(editor, desk, texts::RADIUS_ENTRY, RADII, r).await?],
@@ -165,7 +165,7 @@ async fn insert(editor: &mut Bench, desk: &mut Desk<'_>) -> Asked<()> {
     let row = match pair.and_then(|pair| value::halfway(&circles, pair)) {
         Some(row) => row,
         None => {
-            let [x, y] = ask_place_in_field(desk, editor).await?;
+            let [x, y] = ask_place_in_field(desk, editor, FIELD).await?;
             [x, y, ask_number(editor, desk, texts::RADIUS_ENTRY, RADII, NEW_RADIUS).await?]
         }
     };
