@@ -259,14 +259,14 @@ fn resized(knots: &[f64], needed: usize) -> Option<Vec<f64>> {
     let mut knots = knots.to_vec();
     let step = (knots.last()? - knots.first()?) / (knots.len() - 1).max(1) as f64;
     while knots.len() > needed {
-        if knots.len() % 2 == 0 {
+        if knots.len().is_multiple_of(2) {
             knots.remove(0);
         } else {
             knots.pop();
         }
     }
     while knots.len() < needed {
-        if knots.len() % 2 == 0 {
+        if knots.len().is_multiple_of(2) {
             knots.insert(0, knots[0] - step);
         } else {
             knots.push(knots[knots.len() - 1] + step);
