@@ -117,7 +117,7 @@ impl Editor<Nets, 3> {
         let Ok(surface) = net.surface() else { return };
         match layer {
             Layer::Over if !self.stage.is_result() && self.stage.begun() => {
-                self.draw_rails(&net, &surface, page)
+                self.draw_rails(&net, &surface, page);
             }
             Layer::Titles => {
                 let title = texts::net_title(net.order, [net.points.len(), surface.vectors()[1].controls()]);
