@@ -14,7 +14,7 @@ use crate::geometry::shaped::{Parameter, Reach, ShapedCurve};
 use crate::geometry::{GeometryError, ParamCurve, Point};
 use crate::machine::{Asked, Key, Language, Stop};
 use crate::screen::{Color, Screen};
-use crate::ui::{Desk, Over, Stay, TOP, page};
+use crate::ui::{Desk, Over, Stay, TOP, page, words};
 use serde::Serialize;
 use std::time::Duration;
 
@@ -85,14 +85,9 @@ where
         desk.tell(texts::ALREADY_THROUGH, Stay::UntilRead);
         return Ok(());
     }
-    let curve = match form.curve() {
-        Ok(curve) => curve,
-        Err(_) => {
-            if let Some(problem) = texts::problem(&form) {
-                desk.tell(problem, Stay::UntilRead);
-            }
-            return Ok(());
-        }
+    let Ok(curve) = form.curve() else {
+        desk.tell(texts::problem(&form).unwrap_or(words::NO_POINTS.into()), Stay::UntilRead);
+        return Ok(());
     };
     let target = ask(editor, desk, &knob).await?;
     let found = match target {
@@ -120,7 +115,7 @@ where
     };
     match found {
         Ok((target, position, reach)) => arrive(editor, desk, (form, knob), (target, position, reach)),
-        Err(error) => desk.tell(crate::ui::words::no_curve(&error), Stay::UntilRead),
+        Err(error) => desk.tell(words::no_curve(&error), Stay::UntilRead),
     }
     Ok(())
 }

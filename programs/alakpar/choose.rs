@@ -55,7 +55,7 @@ where
             }
             form.shortened(needed)
         }
-        Needs::Odd if count > 1 && count % 2 == 0 => {
+        Needs::Odd if count > 1 && count.is_multiple_of(2) => {
             desk.tell(texts::made_odd(count + 1), Stay::UntilRead);
             with_one_more(&form)
         }
