@@ -57,7 +57,7 @@ fn circles(c: &mut Criterion) {
         let mut group = c.benchmark_group(format!("{name} of {COUNT} circles"));
         group.bench_function("skin", |bencher| bencher.iter(|| black_box(circles).skin(Clearing::Scaled)));
         group.bench_function("plain skin", |bencher| {
-            bencher.iter(|| black_box(circles).skin(Clearing::Plain))
+            bencher.iter(|| black_box(circles).skin(Clearing::Plain));
         });
         group.bench_function("check", |bencher| bencher.iter(|| black_box(circles).violations()));
         group.bench_function("nearest admissible", |bencher| {
@@ -79,7 +79,7 @@ fn spheres(c: &mut Criterion) {
     group.bench_function("skin", |bencher| bencher.iter(|| black_box(&spheres).skin(Clearing::Scaled)));
     group.bench_function("check", |bencher| bencher.iter(|| black_box(&spheres).violations()));
     group.bench_function("mesh of 48 x 12 a span", |bencher| {
-        bencher.iter(|| black_box(&skin).mesh(MESH_STEPS))
+        bencher.iter(|| black_box(&skin).mesh(MESH_STEPS));
     });
     let tube = &skin.arms[0].tubes[0];
     group.bench_function("exact form", |bencher| bencher.iter(|| black_box(tube).to_bspline()));

@@ -48,11 +48,14 @@ pub(super) fn choose<const D: usize>(
         let same = SCALES.into_iter().map(|scale| [scale; 2]).find(|scales| clear(*scales, others));
         same.or_else(|| pairs().into_iter().find(|scales| clear(*scales, others)))
     };
-    if let Some(scales) = search(others) {
+    // Without factors that keep out of the two alone there are none that keep out of all, nor if an end is inside.
+    let own_scales = search(&[]);
+    let covered = |point: Point<D>| others.iter().any(|ball| ball.contains(point, -ZERO * ball.radius));
+    let is_hopeless = own_scales.is_none() || arcs.iter().flat_map(|arc| arc.points).any(covered);
+    if !is_hopeless && let Some(scales) = if others.is_empty() { own_scales } else { search(others) } {
         return (scales, true);
     }
-    let scales = if others.is_empty() { None } else { search(&[]) };
-    (scales.unwrap_or(plain), false)
+    (own_scales.unwrap_or(plain), false)
 }
 
 /// Different factors for both tangents, those with the least sum of logarithms first.

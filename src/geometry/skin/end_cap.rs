@@ -2,7 +2,7 @@
 
 use super::Sphere;
 use super::frame::Framed;
-use super::tube::{Turn, clamped};
+use super::tube::{Turn, clamped, quarters};
 use crate::geometry::param::clipped;
 use crate::geometry::{BSplineSurface, Derivatives, ParamSurface, Point, cross};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -68,8 +68,7 @@ impl ParamSurface for EndCap {
             return None;
         }
         let (u, v) = (clipped(u), clipped(v));
-        let turns = if quarter == 3 && u == 1.0 { 0.0 } else { quarter as f64 + u };
-        let (sine, cosine) = (turns * FRAC_PI_2).sin_cos();
+        let (sine, cosine) = (quarters(quarter, u) * FRAC_PI_2).sin_cos();
         let ([x, y], axis) = (self.framed.across, self.framed.circle.axis);
         let outwards: Point<3> = std::array::from_fn(|d| cosine * x[d] + sine * y[d]);
         let round = cross(axis, outwards);

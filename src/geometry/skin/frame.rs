@@ -23,14 +23,14 @@ pub(super) fn framed(spheres: &[Sphere], circles: &[TouchingCircle], closed: boo
     let Some(first) = circles.first() else { return Vec::new() };
     let ball = |circle: &TouchingCircle| spheres.get(circle.sphere).copied();
     // Perpendicular to the plane of a chain, so that its section is the skin in the plane.
-    let planes = circles.windows(3).filter_map(|three| {
+    let mut planes = circles.windows(3).filter_map(|three| {
         let [before, here, behind] = [0, 1, 2].map(|k| ball(&three[k]));
         let ([a, _, b], [x, y]) = flattened([&before?, &here?, &behind?]);
         let bent = (a.center[0] * b.center[1] - a.center[1] * b.center[0]).abs();
         let straight = (a.center[0] * b.center[0] + a.center[1] * b.center[1]).abs();
         (bent > LEAST * straight).then(|| cross(x, y))
     });
-    let start = planes.filter_map(|normal| projected(normal, first.axis)).next();
+    let start = planes.find_map(|normal| projected(normal, first.axis));
     let mut begin = start.unwrap_or_else(|| perpendicular(first.axis));
     let mut last_axis = first.axis;
     let mut begins = Vec::with_capacity(circles.len() + 1);

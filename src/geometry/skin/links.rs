@@ -118,8 +118,8 @@ pub(super) fn check_balls<const D: usize>(balls: &[Ball<D>]) -> Result<(), SkinE
     }
     for (index, ball) in balls.iter().enumerate() {
         let number = index + 1;
-        // Not greater, so that a NaN is refused too.
-        if let Some(&value) = ball.center.iter().find(|x| !(x.abs() <= COORDINATE_LIMIT)) {
+        let is_good = |x: &f64| x.abs() <= COORDINATE_LIMIT;
+        if let Some(value) = ball.center.into_iter().find(|x| !is_good(x)) {
             return Err(SkinError::Center { number, value });
         }
         if !(ball.radius > 0.0 && ball.radius <= COORDINATE_LIMIT) {

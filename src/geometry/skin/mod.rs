@@ -23,6 +23,21 @@
 //! assert_eq!(dragged.violations()[0].to_string(), "circle 1 is covered by the others");
 //! # Ok::<(), grafika::geometry::skin::SkinError>(())
 //! ```
+//!
+//! [`Spheres`] are strung on chains. Their [`SphereSkin`] consists of tubes and end caps, which are surfaces, exact for
+//! CAD programs, and together a closed mesh:
+//!
+//! ```
+//! use grafika::geometry::skin::{Clearing, MESH_STEPS, Sphere, Spheres};
+//!
+//! let balls = [([0.0, 0.0, 0.0], 1.0), ([3.0, 1.0, 0.5], 1.3), ([6.0, 0.5, 2.0], 0.9)];
+//! let spheres = Spheres::chain(balls.map(|(center, radius)| Sphere { center, radius }).to_vec())?;
+//! let skin = spheres.skin(Clearing::Scaled);
+//! assert_eq!((skin.circles().len(), skin.parts().len()), (3, 3));
+//! assert!(skin.parts().iter().all(|part| part.to_bspline().is_some()));
+//! assert!(skin.mesh(MESH_STEPS)?.triangles.len() > 1000);
+//! # Ok::<(), grafika::geometry::skin::SkinError>(())
+//! ```
 
 mod admissible;
 mod apollonius;
@@ -36,6 +51,7 @@ mod frame;
 mod graph;
 mod hermite;
 mod links;
+mod mesh;
 mod outline;
 mod plane;
 mod rules;
@@ -51,10 +67,11 @@ pub use clear::Clearing;
 pub use end_cap::EndCap;
 pub use error::SkinError;
 pub use links::Links;
+pub use mesh::SkinMesh;
 pub use outline::{Cap, Outline, Piece, SkinArc};
 pub use plane::{Side, Skin, Touch};
 pub use rules::Violation;
-pub use solid::{Arm, MESH_STEPS, SkinMesh, SphereSkin};
+pub use solid::{Arm, MESH_STEPS, SphereSkin};
 pub use spheres::Spheres;
 pub use touching::TouchingCircle;
 pub use tube::{Tube, TubeSpan};

@@ -2,19 +2,11 @@
 
 use super::end_cap::EndCap;
 use super::frame::{Framed, framed};
+use super::mesh::SkinMesh;
 use super::touching::{TouchingCircle, touching_circles};
 use super::tube::{Tube, TubeSpan, span};
 use super::{Clearing, SkinError, Sphere, Spheres};
-use crate::geometry::{MAX_SAMPLES, ParamSurface, Point};
-
-/// Triangles between numbered vertices that go round counterclockwise as seen from outside.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SkinMesh {
-    /// The vertices.
-    pub vertices: Vec<Point<3>>,
-    /// The numbers of three vertices a triangle, from 0.
-    pub triangles: Vec<[usize; 3]>,
-}
+use crate::geometry::{MAX_SAMPLES, ParamSurface};
 
 /// Steps round a tube and along a span with which meshes are made if no others are asked for.
 pub const MESH_STEPS: [usize; 2] = [48, 12];
@@ -166,95 +158,4 @@ impl SphereSkin {
         }
         Ok(mesh)
     }
-}
-
-impl SkinMesh {
-    /// Adds a tube and what closes its ends.
-    fn add(&mut self, tube: &Tube, [first, last]: [Option<&EndCap>; 2], [round, along]: [usize; 2]) {
-        let mut before = Ring::None;
-        if let Some(cap) = first {
-            before = self.pole(cap);
-            for step in 1..along {
-                let next = self.ring(cap, 0, step as f64 / along as f64, round);
-                before = self.step(before, next, round);
-            }
-        }
-        let count = tube.spans()[1];
-        let mut begin = Ring::None;
-        for line in 0..=count * along {
-            let closing = tube.closed()[1] && line == count * along;
-            // The line between two spans ends the first of them.
-            let (span, step) = if line == 0 { (0, 0) } else { ((line - 1) / along, (line - 1) % along + 1) };
-            let next = if closing { begin } else { self.ring(tube, span, step as f64 / along as f64, round) };
-            if line == 0 {
-                begin = next;
-            }
-            before = self.step(before, next, round);
-        }
-        if let Some(cap) = last {
-            for step in 1..along {
-                let next = self.ring(cap, 0, step as f64 / along as f64, round);
-                before = self.step(before, next, round);
-            }
-            let pole = self.pole(cap);
-            self.step(before, pole, round);
-        }
-    }
-
-    /// A vertex for the pole of a cap.
-    fn pole(&mut self, cap: &EndCap) -> Ring {
-        self.vertices.push(cap.pole());
-        Ring::Point(self.vertices.len() - 1)
-    }
-
-    /// Vertices round a surface.
-    fn ring(&mut self, surface: &dyn ParamSurface, span: usize, v: f64, round: usize) -> Ring {
-        let first = self.vertices.len();
-        for k in 0..round {
-            let quarters = 4 * k;
-            let place = ([quarters / round, span], [(quarters % round) as f64 / round as f64, v]);
-            self.vertices.push(surface.eval(place.0, place.1).unwrap_or([0.0; 3]));
-        }
-        Ring::Round(first)
-    }
-
-    /// Triangles between two lines, the second further along the chain; returns the second.
-    fn step(&mut self, before: Ring, next: Ring, round: usize) -> Ring {
-        for k in 0..round {
-            let turn = (k + 1) % round;
-            match (before, next) {
-                (Ring::Point(pole), Ring::Round(first)) => {
-                    self.triangles.push([pole, first + turn, first + k])
-                }
-                (Ring::Round(first), Ring::Point(pole)) => {
-                    self.triangles.push([pole, first + k, first + turn])
-                }
-                (Ring::Round(a), Ring::Round(b)) => {
-                    self.triangles.extend(self.split([a + k, a + turn, b + turn, b + k]));
-                }
-                _ => {}
-            }
-        }
-        next
-    }
-
-    /// Two triangles for a quadrilateral, along its shorter diagonal.
-    fn split(&self, [a, b, c, d]: [usize; 4]) -> [[usize; 3]; 2] {
-        let distance = |from: usize, to: usize| {
-            let (from, to) = (self.vertices[from], self.vertices[to]);
-            (0..3).fold(0.0_f64, |sum, d| sum.hypot(from[d] - to[d]))
-        };
-        if distance(b, d) < distance(a, c) { [[a, b, d], [b, c, d]] } else { [[a, b, c], [a, c, d]] }
-    }
-}
-
-/// A line of vertices round the skin.
-#[derive(Clone, Copy)]
-enum Ring {
-    /// Not there.
-    None,
-    /// So many vertices from this one.
-    Round(usize),
-    /// One vertex: a pole.
-    Point(usize),
 }

@@ -112,16 +112,12 @@ fn spanned((number, sphere): (usize, &Sphere), pair: [Contact; 2], [x, y]: Plane
     let [left, right] = pair.map(|contact| contact.normal);
     let across = [0.5 * (left[0] - right[0]), 0.5 * (left[1] - right[1])];
     let (middle, half) = ([0.5 * (left[0] + right[0]), 0.5 * (left[1] + right[1])], norm(across));
-    // Not smaller, so that a NaN is refused too.
-    if !(half > SMALLEST) || !middle.iter().all(|x| x.is_finite()) {
+    let radius = half * sphere.radius;
+    let is_circle = half > SMALLEST && radius.is_normal() && middle.iter().all(|x| x.is_finite());
+    if !is_circle {
         return None;
     }
     let space = |[a, b]: [f64; 2]| -> Point<3> { std::array::from_fn(|d| a * x[d] + b * y[d]) };
     let axis = unit(space([across[1] / half, -across[0] / half]))?;
-    Some(TouchingCircle {
-        sphere: number,
-        center: sphere.point(space(middle)),
-        axis,
-        radius: half * sphere.radius,
-    })
+    Some(TouchingCircle { sphere: number, center: sphere.point(space(middle)), axis, radius })
 }

@@ -102,6 +102,11 @@ impl Tube {
         Some([self.circles.get(span)?, self.circles.get(to)?])
     }
 
+    /// The line along a span after a number of quarter turns.
+    pub(super) fn line(&self, span: usize, quarters: f64) -> Option<CubicBezier<3>> {
+        self.lines(span, quarters * FRAC_PI_2).map(|[line, ..]| line)
+    }
+
     /// The line along a span at an angle, and its first and second derivatives by the angle.
     fn lines(&self, span: usize, angle: f64) -> Option<[CubicBezier<3>; 3]> {
         let (ends, own) = (self.ends(span)?, self.spans.get(span)?);
@@ -135,7 +140,7 @@ impl Tube {
     /// The angles at which the rational pieces meet: those of quarter turns, and where a radical plane cuts a circle so
     /// that the lengths of the tangents, which are distances from it, have a kink.
     fn breaks(&self) -> Vec<f64> {
-        let quarters = (0..=4).map(|quarter| f64::from(quarter) * FRAC_PI_2);
+        let whole = (0..=4).map(|quarter| f64::from(quarter) * FRAC_PI_2);
         let mut breaks: Vec<f64> = Vec::new();
         for [constant, cosine, sine] in self.spans.iter().flat_map(|span| span.lengths) {
             let (amplitude, phase) = (cosine.hypot(sine), sine.atan2(cosine));
@@ -146,8 +151,8 @@ impl Tube {
         }
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|next, kept| *next - *kept < NEAREST);
-        breaks.retain(|angle| quarters.clone().all(|quarter| (angle - quarter).abs() > NEAREST));
-        breaks.extend(quarters);
+        breaks.retain(|angle| whole.clone().all(|quarter| (angle - quarter).abs() > NEAREST));
+        breaks.extend(whole);
         breaks.sort_by(f64::total_cmp);
         breaks
     }
@@ -167,9 +172,7 @@ impl ParamSurface for Tube {
             return None;
         }
         let (u, v) = (clipped(u), clipped(v));
-        // The last turn ends where the first begins, with the same numbers.
-        let turns = if quarter == 3 && u == 1.0 { 0.0 } else { quarter as f64 + u };
-        let [line, by_angle, twice] = self.lines(span, turns * FRAC_PI_2)?;
+        let [line, by_angle, twice] = self.lines(span, quarters(quarter, u) * FRAC_PI_2)?;
         Some(Derivatives {
             point: line.eval(v),
             u: by_angle.eval(v).map(|x| FRAC_PI_2 * x),
@@ -178,6 +181,16 @@ impl ParamSurface for Tube {
             uv: by_angle.derivative(v).map(|x| FRAC_PI_2 * x),
             vv: line.second_derivative(v),
         })
+    }
+
+    fn row(&self, i: usize, u: f64, per_cell: usize, row: &mut [Point<3>]) {
+        let quarters = quarters(i, clipped(u));
+        for (span, points) in (0..self.spans.len()).zip((0..).step_by(per_cell.max(1))) {
+            let Some(line) = self.line(span, quarters) else { continue };
+            for (step, point) in row.iter_mut().skip(points).take(per_cell + 1).enumerate() {
+                *point = line.eval(step as f64 / per_cell as f64);
+            }
+        }
     }
 
     /// Exact: of degree 4 round the tube, 3 along it. `None` only where kinks of spheres that are not admissible make
@@ -234,6 +247,11 @@ impl ParamSurface for Tube {
         let counts = [clamped(4, pieces.len()), clamped(3, self.spans.len())];
         Some(BSplineSurface::rational([4, 3], knots, counts, &net))
     }
+}
+
+/// Quarter turns from the beginning. The last one ends where the first begins, with the same numbers.
+pub(super) fn quarters(quarter: usize, u: f64) -> f64 {
+    if quarter == 3 && u == 1.0 { 0.0 } else { quarter as f64 + u }
 }
 
 /// The multiplicities of the knots of so many Bézier pieces of a degree.

@@ -104,3 +104,51 @@ fn touching_circles_are_those_of_the_table() {
         }
     }
 }
+
+/// The samples of the program, in their own unit.
+#[test]
+fn samples_are_admissible_and_clear() {
+    let round = |degrees: f64, [x, y]: [f64; 2], far: f64, radius: f64| {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Circle::new([x + far * cosine, y + far * sine], radius)
+    };
+    let chain = |rows: &[[f64; 3]]| Circles::chain(discs(rows)).unwrap();
+    let snake = chain(&[[0.0, 0.0, 1.0], [3.0, 1.0, 1.4], [6.0, 0.5, 0.8], [8.5, 2.5, 1.2], [9.0, 6.0, 1.0]]);
+    let hand = chain(&[
+        [0.0, 0.0, 3.0],
+        [4.0, 2.0, 1.2],
+        [6.5, 4.0, 1.0],
+        [9.0, 5.0, 1.5],
+        [12.0, 4.0, 0.9],
+        [14.5, 2.5, 1.1],
+        [17.0, 2.6, 0.5],
+    ]);
+    let overlapping = chain(&[[0.0, 0.0, 2.0], [2.0, 0.3, 2.0], [3.6, 0.0, 2.0], [6.5, 0.5, 1.5]]);
+    let mut fork = vec![Circle::new([8.0, 4.0], 1.5)];
+    for arm in [20.0, 140.0, 260.0] {
+        fork.extend([round(arm, [8.0, 4.0], 3.2, 0.9), round(arm, [8.0, 4.0], 5.4, 0.6)]);
+    }
+    let edges = vec![[0, 1], [1, 2], [0, 3], [3, 4], [0, 5], [5, 6]];
+    let fork = Circles::new(fork, Links::Edges(edges)).unwrap();
+    let ring =
+        (0..8_u32).map(|k| round(45.0 * f64::from(k), [8.0, 3.0], 5.0, if k % 2 == 0 { 1.2 } else { 1.8 }));
+    let ring = Circles::new(ring.collect(), Links::Ring).unwrap();
+    for circles in [snake, hand, overlapping, fork, ring] {
+        let skin = circles.skin(Clearing::Scaled);
+        assert!(circles.is_admissible() && skin.is_whole() && skin.unclear().is_empty(), "{circles:?}");
+    }
+    let bad = chain(&[[0.0, 0.0, 2.0], [1.5, 3.0, 1.0], [3.0, 0.0, 2.0]]);
+    assert_eq!(bad.violations(), [Violation::MeetOutside { numbers: [0, 2], middle: 1 }]);
+    let near = bad.nearest_admissible().unwrap();
+    assert!(near.circles()[1] == bad.circles()[1] && near.circles()[0].radius < 1.5);
+    let snail = [
+        [0.0, 0.0, 0.0, 1.0],
+        [3.0, 1.0, 0.5, 1.3],
+        [6.0, 0.5, 2.0, 0.9],
+        [8.0, 2.5, 4.0, 1.2],
+        [8.5, 6.0, 5.0, 0.7],
+    ];
+    let snail = Spheres::chain(snail.map(|[x, y, z, r]| Sphere::new([x, y, z], r)).to_vec()).unwrap();
+    let skin = snail.skin(Clearing::Scaled);
+    assert!(snail.is_admissible() && skin.is_whole() && skin.unclear().is_empty());
+}

@@ -47,7 +47,7 @@ fn finite(points: impl IntoIterator<Item = [f64; 2]>) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
     fn nothing_is_nan(circles in anything()) {
