@@ -101,7 +101,6 @@ pub fn of_format(format: Format) -> Option<&'static Program> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::file::CloudFormat;
     use crate::machine::Language;
 
     #[test]

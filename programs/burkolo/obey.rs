@@ -273,7 +273,7 @@ fn nearest(editor: &mut Bench, desk: &mut Desk<'_>) {
 
 /// Whether there is a skin to show alone; asks whether with the circles.
 pub(super) async fn begin_result(editor: &mut Bench, desk: &mut Desk<'_>) -> Asked<bool> {
-    if !editor.dressed().is_some_and(|dressed| !dressed.skin.loops.is_empty()) {
+    if editor.dressed().is_none_or(|dressed| dressed.skin.loops.is_empty()) {
         desk.tell(texts::NO_SKIN, Stay::Briefly);
         return Ok(false);
     }

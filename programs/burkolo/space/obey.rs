@@ -174,7 +174,7 @@ fn nearest(editor: &mut Bench, desk: &mut Desk<'_>) {
 
 /// Whether there is a skin to show alone; asks whether with the spheres.
 pub(super) async fn begin_result(editor: &mut Bench, desk: &mut Desk<'_>) -> Asked<bool> {
-    if !editor.covered().is_some_and(|covered| !covered.skin.parts().is_empty()) {
+    if editor.covered().is_none_or(|covered| covered.skin.parts().is_empty()) {
         desk.tell(texts::NO_SPHERE_SKIN, Stay::Briefly);
         return Err(Stop::Cancelled);
     }

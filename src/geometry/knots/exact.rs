@@ -127,10 +127,8 @@ mod tests {
                     prop_assert!((expected[d] - found[d]).abs() < 1e-11, "{:?} {:?}", expected, found);
                 }
             }
-            for d in 0..2 {
-                if vectors[d].closed() {
-                    prop_assert_eq!(form.border(d, Rim::First), form.border(d, Rim::Last));
-                }
+            for (d, _) in vectors.iter().enumerate().filter(|(_, vector)| vector.closed()) {
+                prop_assert_eq!(form.border(d, Rim::First), form.border(d, Rim::Last));
             }
         }
     }
