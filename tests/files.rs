@@ -284,7 +284,7 @@ fn wrong_json_names_the_line_and_the_field() {
         (
             "{\"format\": \"IP4\"}",
             "line 1, format: \"IP4\" is none of IP2, IC2, EC2, GBP, IP3, FHC, FPS, FEM, FPB, FBS, ZMS, ZMB, ZYS, ZYB, ZYP, \
-             GYK, CSK, BIL, KCT, KCG, KCF, KCE, KCJ, RBC, PN, RBS, CSM, CSF, ALP, SOM, KOR, GOM",
+             GYK, CSK, BIL, KCT, KCG, KCF, KCE, KCJ, RBC, PN, RBS, CSM, CSF, ALP, SOM, KOR, GOM, XYZ, PLY, OBJ, STL",
         ),
         ("{\"format\": \"IP2\", \"points\": [[1, 2],\n[3, NaN]]}", "line 2, points[1][1]: expected value"),
         (

@@ -292,3 +292,95 @@ fn interpolates(name: FamilyName) -> bool {
     use FamilyName::{Alpha, CBSpline, FBSpline, Gb, Han, Spb};
     matches!(name, CBSpline | FBSpline | Han | Alpha | Gb | Spb)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A form of a family with points of the field.
+    fn form(name: FamilyName, points: Vec<Point<2>>, closed: bool) -> Form<2> {
+        let empty = Form::<2>::empty();
+        let family = super::super::kinds::beginning(name, &empty);
+        empty.by(name, &family, closed).replaced(points)
+    }
+
+    fn places() -> impl Strategy<Value = Vec<Point<2>>> {
+        let place = (0..=560, 0..=380).prop_map(|(x, y)| [f64::from(x), f64::from(y)]);
+        prop::collection::vec(place, 4..12)
+    }
+
+    proptest! {
+        #[test]
+        fn every_point_keeps_its_lambda(
+            points in places(),
+            edits in prop::collection::vec((0..4, 0..14usize, 0..14usize), 1..20),
+        ) {
+            let mut form = form(FamilyName::Han, points, false);
+            // The lambda of a point is its x, so that it is known where the point goes.
+            for index in 0..form.points.len() {
+                form = form.with(Parameter::LambdaOf(index), form.points[index][0]).unwrap();
+            }
+            for (kind, from, to) in edits {
+                let before = form.clone();
+                form = form.edited(match kind {
+                    0 => Edit::Insert(from, [1000.0, 0.0]),
+                    1 => Edit::Delete(from),
+                    2 => Edit::Renumber(from, to),
+                    _ => Edit::Move(from, form.points.get(from).copied().unwrap_or([0.0; 2])),
+                });
+                prop_assert!(form.points.is_empty() || form.lambdas().is_none_or(|all| all.len() == form.points.len()));
+                // What was there before has what it had; a new point has the mean of its neighbours.
+                if let (true, Some(all)) = (kind == 1 || kind == 2, form.lambdas()) {
+                    for (point, lambda) in form.points.iter().zip(all) {
+                        let old = before.points.iter().zip(before.lambdas().unwrap_or(&[]));
+                        let mut same = old.filter(|(place, _)| *place == point);
+                        prop_assert!(same.any(|(_, old)| old == lambda));
+                    }
+                }
+            }
+        }
+
+        #[test]
+        fn a_curve_through_data_is_read_as_it_was_written(points in places(), closed: bool, which in 0..6usize) {
+            use FamilyName::{Alpha, CBSpline, FBSpline, Gb, Han, Spb};
+            let form = form([CBSpline, FBSpline, Han, Alpha, Gb, Spb][which], points, closed).through(true);
+            prop_assume!(form.curve().is_ok());
+            let document = form.document();
+            let (points, blend) = (document.points.plane().unwrap(), document.blend.as_ref());
+            let blend = blend.and_then(Places::plane).map(<[Point<2>]>::to_vec);
+            prop_assert_eq!(Form::of_document(&document, points.to_vec(), blend), form);
+        }
+
+        #[test]
+        fn the_dragged_datum_is_passed_by_blended_curves(points in places(), closed: bool, to in (0..=560, 0..=380)) {
+            let form = form(FamilyName::Gb, points, closed).through(true);
+            let index = form.points.len() / 2;
+            let moved = form.edited(Edit::Move(index, [f64::from(to.0), f64::from(to.1)]));
+            let mut joints = moved.curve().unwrap().joints();
+            if closed {
+                joints.rotate_right(1);
+            }
+            for (joint, datum) in joints.iter().zip(&moved.points) {
+                prop_assert!((joint[0] - datum[0]).hypot(joint[1] - datum[1]) < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn a_blend_of_a_file_moves_with_its_points() {
+        let document = ShapedPoints {
+            family: FamilyName::Alpha,
+            lambda: Some(LambdaValue::One(0.5)),
+            ..ShapedPoints::default()
+        };
+        let points: Vec<Point<2>> = (0..5).map(|x| [f64::from(100 * x), 100.0]).collect();
+        let blend: Vec<Point<2>> = points.iter().map(|[x, y]| [*x, y + 50.0]).collect();
+        let form = Form::of_document(&document, points, Some(blend));
+        let moved = form.edited(Edit::Move(2, [210.0, 130.0])).edited(Edit::Delete(0));
+        let blend = moved.document().blend.expect("it is kept");
+        assert_eq!(blend.plane().unwrap()[1], [210.0, 180.0]);
+        assert_eq!(blend.len(), 4);
+        assert!(moved.curve().is_ok());
+    }
+}

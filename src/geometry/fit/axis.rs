@@ -101,7 +101,7 @@ impl Axis {
         usize::try_from(next).ok().filter(|next| *next < self.count)
     }
 
-    /// The parameter at a part of the edge that begins at a neuron of a net with as many (chapter 5, step 1).
+    /// The parameter at a part of the edge that begins at a neuron of a net with as many.
     pub(super) fn parameter(&self, node: usize, part: f64) -> f64 {
         let edges = if self.closed { self.count } else { self.count.max(2) - 1 };
         self.inside((node as f64 + part) / edges as f64)

@@ -1,4 +1,4 @@
-//! The first parameters of points: the nearest place of the net, its cells taken as bilinear (chapter 5, step 1).
+//! The first parameters of points: the nearest place of the net, its cells taken as bilinear.
 
 use super::axis::Axis;
 use super::step::Tangents;

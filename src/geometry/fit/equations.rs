@@ -1,4 +1,4 @@
-//! The normal equations of the least squares fit (chapter 5, step 2), gathered cell by cell.
+//! The normal equations of the least squares fit, gathered cell by cell.
 //!
 //! A point counts for the 16 control points of its cell by products `N_a(u) N_b(v)`. The 256 products of two of them are
 //! 10 products in `u` times 10 in `v`, so a cell is a table of 100 sums and 48 of the right side.
@@ -14,7 +14,7 @@ const CELL: usize = PAIRS * PAIRS + 3 * ORDER * ORDER;
 pub(super) const REACH: usize = ORDER - 1;
 /// Neighbours of a control point in a direction, itself among them.
 pub(super) const AROUND: usize = 2 * REACH + 1;
-/// The weight of the second differences of the net, by point (chapter 5).
+/// The weight of the second differences of the net, by point: it keeps cells without points determinate.
 const SMOOTHNESS: f64 = 1e-6;
 /// What keeps control points where they are if neither points nor smoothness say anything, as part of the largest
 /// diagonal entry: clouds in one place leave much open.

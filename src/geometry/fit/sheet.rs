@@ -1,4 +1,4 @@
-//! Control points laid out for fast evaluation, and the foot of a point on their surface (chapter 5, step 3).
+//! Control points laid out for fast evaluation, and the foot of a point on their surface.
 
 use super::axis::{Axis, ORDER};
 use super::step::Tangents;

@@ -43,7 +43,11 @@ enum Work {
     Done(Report),
 }
 
-/// The least squares fit of the surface of a net to a cloud (chapter 5 of the handover, after Hoffmann and Várady 1997).
+/// The least squares fit of the surface of a net to a cloud (after Hoffmann and Várady 1997).
+///
+/// Every point `p_r` gets parameters by the net. Then the control points `C` are those that make
+/// `sum |s(u_r, v_r) - p_r|^2 + mu N |D C|^2` least, where `D` are the second differences along rows and columns, `N` is the
+/// number of points and `mu` 1e-6; then parameters are corrected by two steps of Gauss and Newton each, and so on.
 ///
 /// It depends on cloud, net and corrections only, never on how it is divided into budgets.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! The growing net (4.4) after Fritzke's growing grid (1995).
+//! The growing net after Fritzke's growing grid (1995).
 
 use super::{Net, Schedule};
 use crate::geometry::Point;

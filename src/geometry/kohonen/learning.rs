@@ -19,7 +19,7 @@ pub enum Order {
     Listed,
 }
 
-/// How a net of fixed size learns (4.1).
+/// How a net of fixed size learns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule {
     /// Who is a neighbour.
@@ -120,7 +120,7 @@ impl Learning {
         Ok(Self::with(cloud, start, rule.order, schedule, bell, settle, None))
     }
 
-    /// Begins with a small net that grows (4.4): where a neuron wins most often, a row or column is inserted, until there
+    /// Begins with a small net that grows: where a neuron wins most often, a row or column is inserted, until there
     /// would be more neurons than the limit. See [`Net::seedling`].
     ///
     /// # Errors
@@ -184,7 +184,7 @@ impl Learning {
         self.end
     }
 
-    /// One step of 4.1.
+    /// One step: `W += h (x - W)` for every neuron, where `h` is the gain times what a neighbour takes part in.
     fn step(&mut self) {
         let points = self.cloud.points();
         let index = match self.order {

@@ -1,4 +1,4 @@
-//! How much of a step every neuron takes part in: the factor of 4.1, row by row.
+//! How much of a step every neuron takes part in, row by row.
 
 use super::topology::{Latitudes, steps_between};
 use super::{Net, Topology, Weighting};
@@ -11,9 +11,9 @@ const CUT: f64 = 8.1;
 /// How distances and radius become factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Bell {
-    /// Of 4.1.
+    /// Of nets of a fixed size.
     Of(Weighting),
-    /// Of growing nets (4.4): Gauss of the sum of the distances in rows and columns.
+    /// Of growing nets: Gauss of the sum of the distances in rows and columns.
     Sum,
 }
 
@@ -26,6 +26,8 @@ pub(super) struct Neighbours {
     sphere: Option<Latitudes>,
     /// The bell by distance.
     table: Vec<f64>,
+    /// How far the columns of a sphere are from the winner's.
+    away: Vec<usize>,
     /// The factors of one row, or the gain times the bell along the winner's.
     row: Vec<f64>,
     gain: f64,
@@ -43,6 +45,7 @@ impl Neighbours {
             closed: net.topology().closed(),
             sphere: (net.topology() == Topology::Sphere).then(|| Latitudes::new(size)),
             table: vec![0.0; distances],
+            away: Vec::new(),
             row: vec![0.0; net.stride()],
             gain: 0.0,
             radius: 0.0,
@@ -54,6 +57,9 @@ impl Neighbours {
     pub(super) fn set(&mut self, winner: [usize; 2], gain: f64, radius: f64) {
         (self.winner, self.gain, self.radius) = (winner, gain, radius);
         if self.sphere.is_some() {
+            let columns = self.size[1];
+            self.away.clear();
+            self.away.extend((0..columns).map(|j| steps_between(true, columns, j, winner[1])));
             return;
         }
         match self.bell {
@@ -112,23 +118,20 @@ impl Neighbours {
         if i.abs_diff(self.winner[0]) as f64 > within {
             return None;
         }
-        // The bell by the difference of columns.
-        let table = &mut self.table;
-        table.clear();
-        table.extend_from_slice(sphere.squares([self.winner[0], i]));
-        let square = radius * radius;
+        // The bell by the difference of columns, as far as it is not 0. Neighbours in a column are 1 apart but for rounding.
+        let squares = sphere.squares([self.winner[0], i]);
+        let most = within * within + 1e-9;
+        let count = squares.partition_point(|square| *square <= most);
+        self.table.clear();
+        self.table.extend_from_slice(squares.get(..count).unwrap_or(squares));
         if bubble {
-            // Neighbours in a column are 1 apart but for rounding.
-            table.iter_mut().for_each(|d| *d = f64::from(u8::from(*d <= square + 1e-9)));
+            self.table.fill(1.0);
         } else {
-            let scale = -0.5 / square;
-            // Zeros, not numbers so small that processors take long over them.
-            let most = within * within;
-            table.iter_mut().for_each(|d| *d = if *d <= most { exp(scale * *d) } else { 0.0 });
+            let scale = -0.5 / (radius * radius);
+            self.table.iter_mut().for_each(|square| *square = exp(scale * *square));
         }
-        let columns = self.size[1];
-        for (j, factor) in self.row.iter_mut().enumerate().take(columns) {
-            *factor = table.get(steps_between(true, columns, j, self.winner[1])).copied().unwrap_or(0.0);
+        for (factor, away) in self.row.iter_mut().zip(&self.away) {
+            *factor = self.table.get(*away).copied().unwrap_or(0.0);
         }
         Some((self.gain, &self.row))
     }

@@ -9,7 +9,7 @@ use crate::geometry::{Dice, GeometryError, Point};
 pub(super) const LANES: usize = 4;
 /// Where there is no neuron: nothing is nearer to it than to a neuron, and its distance squared is no NaN.
 const NOWHERE: f64 = 1e160;
-/// The start is this part of the cloud's deviation wide to either side of its centre (4.1).
+/// The start is this part of the cloud's deviation wide to either side of its centre.
 const START: f64 = 0.05;
 
 /// A net of `m x n` neurons in space; row `i` counts first, column `j` second.
@@ -51,7 +51,7 @@ impl Net {
         Ok(net)
     }
 
-    /// The start of learning (4.1): every neuron at random within 5 % of the cloud's standard deviation from its centre.
+    /// The start of learning: every neuron at random within 5 % of the cloud's standard deviation from its centre.
     ///
     /// # Errors
     /// A wrong size.

@@ -1,4 +1,4 @@
-//! Gain and radius over time (4.1).
+//! Gain and radius over time.
 
 use super::{KohonenError, MAX_STEPS};
 use crate::geometry::portable::{exp, ln};

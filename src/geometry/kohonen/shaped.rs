@@ -6,10 +6,10 @@ use crate::geometry::cloud::Cloud;
 use std::f64::consts::{PI, TAU};
 
 impl Net {
-    /// The net from which one grows ([`Learning::growing`](super::Learning::growing)): 2 x 2 at random (4.4) where it is
+    /// The net from which one grows ([`Learning::growing`](super::Learning::growing)): 2 x 2 at random where it is
     /// open. What is closed begins in its shape and large enough not to lose it: a cylinder with 2 x 8, a torus with 4 x 8, a
-    /// sphere with 3 x 6. Of sixteen cylinders grown from 2 x 3 at random nine crossed the ring of points that they were to
-    /// learn, and of eighteen tori from 3 x 3 and 3 x 6 all but two had a pinch.
+    /// sphere with 3 x 6. Of sixteen cylinders grown from 2 x 3 at random ten crossed the ring of points that they were to
+    /// learn, and of sixteen tori from 3 x 3 and 3 x 6 all but one had a pinch.
     ///
     /// # Errors
     /// None; sizes and places are possible.

@@ -53,7 +53,7 @@ fn dense(mut rows: Vec<Vec<f64>>, mut right: Vec<Point<3>>) -> Vec<Point<3>> {
     right
 }
 
-/// The control points that the definition of chapter 5 asks for, from rows of the overdetermined system.
+/// The control points that the definition asks for, from rows of the overdetermined system.
 fn by_definition(topology: Topology, axes: &[Axis; 2], points: &[([f64; 2], Point<3>)]) -> Vec<Point<3>> {
     let [m, n] = [axes[0].count(), axes[1].count()];
     // The unknown of a control point: one for every pole.

@@ -1,4 +1,4 @@
-//! The step of 4.1 against its formulas written plainly, and what must hold for every net.
+//! A step against its formulas written plainly, and what must hold for every net.
 
 use super::super::{End, KohonenError, Learning, Net, Order, Rule, Schedule, Topology, Weighting};
 use crate::geometry::cloud::{Cloud, CloudShape};

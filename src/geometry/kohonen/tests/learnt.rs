@@ -1,4 +1,4 @@
-//! What nets have learnt from clouds of known surfaces, by the reference quality of 4.2.
+//! What nets have learnt from clouds of known surfaces, by the quality that a prototype reaches.
 
 use super::super::{Learning, Net, Rule, Topology, Weighting};
 use crate::geometry::cloud::{Cloud, CloudShape};
