@@ -4,6 +4,7 @@
 
 mod commands;
 mod gauges;
+mod life;
 mod model;
 mod obey;
 mod paint;

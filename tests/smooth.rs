@@ -176,7 +176,7 @@ fn what_cannot_be_done_is_told_in_a_line() {
         (&["two.csv", "-o", "-"][..], 1, "two.csv: too few control points: 2 given, at least 3 needed"),
         (&["far.csv", "-o", "far.IP2"], 1, "far.csv as far.IP2: "),
         (&["A.GBP", "-o", "-"], 1, "A.GBP: this file holds no points"),
-        (&["Y.IP2", "-o", "y.xyz"], 1, "y.xyz: no data file has this extension"),
+        (&["Y.IP2", "-o", "y.doc"], 1, "y.doc: no data file has this extension"),
         (&["Y.IP2", "-o", "-", "--density", "1000000"], 1, "Y.IP2: too many control points"),
         (&["Y.IP2", "-o", "-", "--density", "0"], 2, "--density"),
         (&["Y.IP2", "-o", "-", "--stage", "spline"], 2, "bspline, bezier, both"),

@@ -135,7 +135,7 @@ fn the_surface_of_the_net_comes_and_goes() {
 
 #[test]
 fn a_net_grows() {
-    let model = model("key N\ntype 64\nkey Enter\nwait 20000");
+    let model = model("key N\ntype 64\nkey Enter\nwait 12000");
     assert_eq!(model["learning"]["end"], "steps", "{}", model["learning"]);
     let size = model["net"]["size"].as_array().unwrap();
     let neurons = size[0].as_u64().unwrap() * size[1].as_u64().unwrap();
@@ -168,8 +168,10 @@ fn a_cloud_is_made_on_its_panel() {
     assert_eq!(run(&format!("{script}\nkey Ctrl+Z")).models["end.json"]["cloud"]["points"], 2000);
     let learnt = run(&format!("{script}\n{LEARN}")).models["end.json"].clone();
     assert_eq!(learnt["net"]["topology"], "torus");
-    let near = points(&learnt).concat().iter().all(|neuron| CloudShape::Torus.distance(*neuron) < 0.2);
-    assert!(near);
+    // Neurons lie inside where the surface bends.
+    let neurons = points(&learnt).concat();
+    let sum: f64 = neurons.iter().map(|neuron| CloudShape::Torus.distance(*neuron).powi(2)).sum();
+    assert!((sum / neurons.len() as f64).sqrt() < 0.12);
 }
 
 #[test]
@@ -228,7 +230,7 @@ fn files_of_every_kind_are_read() {
 fn what_is_wrong_keeps_the_cloud_that_is_there() {
     let wrong: [(&str, &[u8]); 5] = [
         ("A.XYZ", b""),
-        ("A.XYZ", b"1 2 three\n"),
+        ("A.XYZ", b"1 2 3\n1 two 3\n"),
         ("A.PLY", b"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n2\n"),
         ("A.SOM", b"{\"format\":\"SOM\",\"topology\":\"open\",\"points\":[[[0,0,0]],[[0,0,0],[1,1,1]]]}"),
         ("A.TXT", b"1 2 3\n"),
@@ -246,7 +248,7 @@ fn what_is_wrong_keeps_the_cloud_that_is_there() {
 
 /// A table of many points.
 fn large() -> Vec<u8> {
-    (0..60_000).flat_map(|k| format!("{} {} {}\n", k % 251, k % 241, (k * k) % 100).into_bytes()).collect()
+    (0..60_000).flat_map(|k| format!("{} {} {}\n", k % 251, k % 241, k % 97).into_bytes()).collect()
 }
 
 #[test]
@@ -341,14 +343,14 @@ fn pages_look_as_they_did() {
         for (name, script) in [
             ("begin", String::new()),
             ("learning", "key T\nwait 1000".to_owned()),
-            ("learnt", LEARN.to_owned()),
+            ("learnt", format!("{LEARN}wait 2500")),
             ("point", "key T\nwait 1500\nkey T\nkey L\nwait 300".to_owned()),
             ("movement", "key L\nwait 1900".to_owned()),
             ("growing", "key N\nkey Enter\nwait 3000".to_owned()),
             ("limit", "key N".to_owned()),
-            ("surface", format!("{LEARN}key S\nkey D\nkey F3")),
+            ("surface", format!("{LEARN}key S\nkey D\nkey F3\nwait 2500")),
             ("fitting", format!("{LEARN}key I\nkey Enter\nwait 2000")),
-            ("errors", format!("{LEARN}{FIT}")),
+            ("errors", format!("{LEARN}{FIT}key F4\nkey F4")),
             ("zebra", format!("{LEARN}{FIT}key F3\nkey F5\nkey F6")),
             ("alone", format!("{LEARN}{FIT}key E\nkey Left\nkey Left")),
             ("curve", format!("{}{LEARN}key S", opened("NYOM"))),

@@ -7,9 +7,9 @@ use super::texts;
 use super::trainer::Trainer;
 use crate::geometry::fit::{ErrorClass, Stage};
 use crate::geometry::kohonen::Schedule;
-use crate::machine::{Language, Manner};
+use crate::machine::Language;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::{Area, Picture, TOP, page, tint, window};
+use crate::ui::{Area, TOP, page, tint, window};
 
 /// The map of the net, and the room of its cells.
 const MAP: Area = Area::new(5, 4, 91, 50);
@@ -31,10 +31,7 @@ pub(super) fn draw(trainer: &Trainer, screen: &mut Screen, language: Language) {
     draw_strip(trainer, screen);
     draw_errors(trainer, screen, Color::Black);
     page(screen, TOP);
-    // In the manner of today, what can be done now stands here where nothing is learnt.
-    if trainer.manner == Manner::Today && trainer.hint().is_some() {
-        return;
-    }
+    // In the manner of today, the first two lines say what can be done where there is no net.
     for (row, line) in (0..).zip(lines(trainer, language)) {
         let line: String = line.chars().take(LETTERS).collect();
         screen.text(TOP.0 + 8, TOP.1 + 7 + 11 * row, &line, Color::Black);
@@ -78,7 +75,7 @@ fn draw_values(trainer: &Trainer, screen: &mut Screen, language: Language) {
     let values = [(texts::GAIN, format!("{:.3}", step.gain)), (texts::RADIUS, format!("{:.2}", step.radius))];
     for (row, (name, value)) in (0..).zip(values) {
         screen.text(98, 14 + 16 * row, name.of(language), Color::Black);
-        screen.text(146, 14 + 16 * row, &value, Color::Blue);
+        screen.text(154, 14 + 16 * row, &value, Color::Blue);
     }
 }
 
@@ -138,9 +135,6 @@ pub(super) fn draw_errors(trainer: &Trainer, screen: &mut Screen, text: Color) {
             screen.text(x + 13, y + 1, &from, text);
             y += LEGEND_ROW;
         }
-    }
-    if let Some(section) = trainer.options.section.filter(|_| trainer.drawn().is_some()) {
-        screen.text(x, LEGEND.1 + 11 * LEGEND_ROW, &section.name(), text);
     }
 }
 

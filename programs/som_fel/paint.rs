@@ -23,6 +23,8 @@ const MOST_POINTS: usize = 20_000;
 const MOST_PLOTTED: usize = 2_000;
 /// Segments of a span of a curve.
 const CURVE_STEPS: usize = 8;
+/// Where the plane of a section is named.
+const SECTION: (i32, i32) = (440, 66);
 /// Colours of errors by their level, above the surface and below it.
 pub(super) const ABOVE: [Color; ErrorClass::LEVELS] =
     [Color::Green, Color::LightGreen, Color::Yellow, Color::LightRed, Color::Red];
@@ -146,12 +148,17 @@ fn paint_surface(trainer: &Trainer, screen: &mut Screen, look: Look) {
     }
     let Some(drawn) = trainer.drawn() else { return };
     let options = trainer.options;
+    // Not in a colour of errors.
+    let ink = if trainer.shows_errors() { Color::DarkGray } else { Color::Cyan };
     if !options.inspection.draw(screen, drawn, look, 0.0) {
-        draw_parts(screen, drawn, look, (options.display, Fill::Plain), Color::Cyan);
+        draw_parts(screen, drawn, look, (options.display, Fill::Plain), ink);
     }
     for line in section_lines(trainer, drawn) {
         let pixels: Vec<(i32, i32)> = line.into_iter().map(|point| look.to_screen(point)).collect();
         screen.polyline(&pixels, Stroke::thick(Color::Yellow));
+    }
+    if let Some(section) = options.section {
+        screen.text(SECTION.0, SECTION.1, &section.name(), Color::Yellow);
     }
 }
 

@@ -9,14 +9,17 @@ use std::time::Duration;
 
 /// The time between two pictures.
 pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
-/// Pictures that learning has at least, and one solution of a fit: quicker ones could not be seen.
+/// Pictures that learning has at least, one size of a growing net, and one pass of a fit: quicker ones could not be seen.
 const PICTURES: u64 = 180;
+const STAGE_PICTURES: u64 = 12;
 const SOLUTION_PICTURES: usize = 12;
 /// What a piece may cost: neurons times steps, about 5 ms, and points of a fit, about 10 ms.
 const MOST_MOVES: u64 = 1_600_000;
 const MOST_POINTS: usize = 10_000;
-/// What a piece of a solution may cost in units of [`Fit::advance`].
+/// What of a solution may be done between two pictures in units of [`Fit::advance`], and at a time, so that hardly any of
+/// what follows is.
 const SOLUTION: usize = 20_000;
+const SOLUTION_PIECE: usize = 200;
 /// How long one slow step is shown, and its parts: the point, the winner, the neighbours, the movement.
 const STEP: Duration = Duration::from_millis(2000);
 pub(super) const PARTS: f64 = 4.0;
@@ -54,8 +57,8 @@ fn steps_of(learning: &Learning) -> u64 {
     let [rows, columns] = learning.net().size();
     let most = MOST_MOVES / (rows * columns).max(1) as u64;
     // A growing net has many stages.
-    let steps = if learning.is_growing() { 60 * PICTURES } else { learning.schedule().steps() };
-    steps.div_ceil(PICTURES).clamp(1, most.max(1))
+    let pictures = if learning.is_growing() { STAGE_PICTURES } else { PICTURES };
+    learning.schedule().steps().div_ceil(pictures).clamp(1, most.max(1))
 }
 
 /// Advances learning by a picture; why it is over when it is.
@@ -65,9 +68,15 @@ pub(super) fn learn(learning: &mut Learning) -> Option<End> {
 
 /// Advances a fit by a picture, at most to the end of a solution, so that each is shown; the report at the end.
 pub(super) fn fit(fit: &mut Fit, cloud: &Cloud) -> Option<Report> {
-    let points = match fit.stage() {
-        Stage::Solution => SOLUTION,
-        _ => cloud.points().len().div_ceil(SOLUTION_PICTURES).clamp(1, MOST_POINTS),
-    };
+    if fit.stage() == Stage::Solution {
+        for _ in 0..SOLUTION / SOLUTION_PIECE {
+            let report = fit.advance(SOLUTION_PIECE).cloned();
+            if report.is_some() || fit.stage() != Stage::Solution {
+                return report;
+            }
+        }
+        return None;
+    }
+    let points = cloud.points().len().div_ceil(SOLUTION_PICTURES).clamp(1, MOST_POINTS);
     fit.advance(points).cloned()
 }

@@ -318,3 +318,55 @@ impl Rescued {
         Ok((State { cloud, settings: self.settings, net: net.map(Rc::new), ..State::default() }, file))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rescued_work_is_as_before() {
+        let state = State::fresh();
+        let cloud = state.cloud().unwrap();
+        let settings = Settings { size: [5, 6], steps: 500, ..state.settings.clone() };
+        let mut learning = Learning::new(cloud, settings.start(cloud).unwrap(), settings.rule()).unwrap();
+        learning.advance(77);
+        let state = state.with_settings(settings).with_learning(learning);
+        let text = serde_json::to_string(&Rescued::of(&state)).unwrap();
+        let (taken, file) = serde_json::from_str::<Rescued>(&text).unwrap().state().unwrap();
+        assert_eq!((taken.net, taken.settings, file), (state.net, state.settings, None));
+        assert_eq!(taken.cloud().unwrap().points(), cloud.points());
+        for bad in ["{}", "{\"settings\":{},\"topology\":\"open\",\"neurons\":[[[0,0]]]}"] {
+            assert!(serde_json::from_str::<Rescued>(bad).is_err());
+        }
+        let wrong = text.replace("\"open\",\"neurons\"", "\"ball\",\"neurons\"");
+        assert!(serde_json::from_str::<Rescued>(&wrong).unwrap().state().is_err());
+    }
+
+    #[test]
+    fn the_cloud_of_a_file_is_read_again() {
+        let cloud = Cloud::new(vec![[0.0; 3], [1.0; 3]]).unwrap();
+        let state = State::fresh().with_cloud(Named { cloud, source: Source::File("A.PLY".to_owned()) });
+        let (taken, file) = Rescued::of(&state).state().unwrap();
+        assert_eq!((taken.cloud.is_none(), file.as_deref()), (true, Some("A.PLY")));
+    }
+
+    #[test]
+    fn settings_suit_the_cloud() {
+        let named = |shape: CloudShape| {
+            let recipe = Recipe { shape: shape.name().to_owned(), points: 50, ..Recipe::default() };
+            Named { cloud: recipe.cloud().unwrap(), source: Source::Made(recipe) }
+        };
+        for (shape, topology, plane) in [
+            (CloudShape::Saddle, Topology::Open, false),
+            (CloudShape::Sphere, Topology::Sphere, false),
+            (CloudShape::Torus, Topology::Torus, false),
+            (CloudShape::Ring, Topology::Cylinder, false),
+            (CloudShape::Letter, Topology::Open, true),
+        ] {
+            let settings = Settings::for_topology(Topology::Torus).for_cloud(&named(shape));
+            assert_eq!((settings.topology(), settings.size == [40, 1]), (topology, plane), "{shape:?}");
+            let settings = Settings { size: [7, 1], ..Settings::default() }.for_cloud(&named(shape));
+            assert_eq!((settings.topology(), settings.size == [7, 1]), (topology, plane), "{shape:?}");
+        }
+    }
+}

@@ -66,7 +66,7 @@ pub(super) const CORRECTIONS: Words = Words("Paraméterjavítások száma:", "Co
 pub(super) const NO_WHOLE: Words = Words("Egész szám kell", "A whole number is needed");
 pub(super) const HINT_EMPTY: Words = Words("F: fájl, K: felhő. F1: segítség", "F: file, K: cloud. F1: help");
 pub(super) const HINT_CLOUD: Words = Words(
-    "T: a háló tanul. K: más felhő. H: a háló. F1: segítség",
+    "T: a háló tanul. K: felhő. H: háló. F1: segítség",
     "T: the net learns. K: cloud. H: net. F1: help",
 );
 pub(super) const GAIN: Words = Words("ráta", "gain");
@@ -131,8 +131,8 @@ pub(super) const HELP_ERRORS: KeyHelp =
     line("F4", "hibák színe és jelmagyarázat", "colours of the errors, legend");
 pub(super) const HELP_DISPLAY: KeyHelp = line("D", "felület drótvázzal, tele", "surface in wires, filled");
 pub(super) const HELP_LOOK: KeyHelp = (
-    Words("jobb gomb nyilak", "right drag arrows"),
-    Words("forgatás; görgő: nagyítás; Home: elölről", "turn; wheel: zoom; Home: as at first"),
+    Words("jobb gomb", "right button"),
+    Words("forgatás, nyilak is; görgő: nagyítás; Home", "turn, as arrows do; wheel: zoom; Home"),
 );
 pub(super) const HELP_SAVE: Words =
     Words("a háló mentése (.SOM); F10: felület is", "save the net (.SOM); F10: the surface too");

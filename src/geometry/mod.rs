@@ -8,13 +8,9 @@
 //! also those that are not cubic, is [`ParamCurve`] and [`ParamSurface`]; functions that blend control
 //! points are a [`Basis`]. Curves with exact lengths and offsets are in [`ph`], rational surfaces whose offsets
 //! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`], curves by
-<<<<<<< ours
 //! their knots in [`knots`], curves with shape parameters in [`shaped`], skins over
-//! circles and spheres in [`skin`]. Nothing here panics or answers
-=======
-//! their knots in [`knots`], curves with shape parameters in [`shaped`]. Points without order are a [`cloud`]; a
+//! circles and spheres in [`skin`]. Points without order are a [`cloud`]; a
 //! Kohonen net ([`kohonen`]) learns its shape, and [`fit`] makes a surface of the net. Nothing here panics or answers
->>>>>>> theirs
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
 //! Accuracy: every method agrees with an independent computation to 3e-14 of the polygon's size

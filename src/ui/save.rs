@@ -53,8 +53,8 @@ const MODELS: [Offer; 4] = [
 ];
 
 /// The figures where there is a document too, and the document, whose extension is its own.
-const FIGURE_EDGES: [(i32, i32); 3] = [(4, 54), (60, 110), (116, 166)];
-const DOCUMENT_EDGES: (i32, i32) = (172, 232);
+const FIGURE_EDGES: [(i32, i32); 3] = [(4, 46), (52, 94), (100, 174)];
+const DOCUMENT_EDGES: (i32, i32) = (180, 226);
 
 /// Steps a span of a model that is a mesh.
 const STEPS: usize = 10;
