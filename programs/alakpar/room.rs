@@ -113,11 +113,11 @@ mod tests {
         for zoom in [0, 4, -4] {
             viewer.look = Look::new(SPACE_VIEW, Poles::Stop).turned_by((57, -31)).zoomed(zoom);
             let place = [70.0, -40.0, 110.0];
-            let (flat, wanted) = (Here::flat(&viewer, viewer.pixel(place)), viewer.flat(place));
+            let (flat, wanted) = (<Here as Room<3>>::flat(&viewer, viewer.pixel(place)), viewer.flat(place));
             // Pixels are whole.
             let grain = 0.5 / viewer.look.scale() + 1e-9;
             assert!((0..2).all(|d| (flat[d] - wanted[d]).abs() <= grain), "{flat:?} {wanted:?}");
         }
-        assert_eq!(Here::flat(&Field, Field.pixel([100.0, 50.0])), [100.0, 50.0]);
+        assert_eq!(<Here as Room<2>>::flat(&Field, Field.pixel([100.0, 50.0])), [100.0, 50.0]);
     }
 }
