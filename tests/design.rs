@@ -298,6 +298,10 @@ fn samples(shape: &Shape) -> String {
             let patches: Vec<_> = parts.patches.iter().map(|patch| patch.sample(3)).collect();
             format!("{curves:?} {patches:?}")
         }
+        Shape::Outlines(outlines) => {
+            let outlines: Vec<_> = outlines.iter().map(|outline| outline.sample(7)).collect();
+            format!("{outlines:?}")
+        }
     }
 }
 
