@@ -30,8 +30,8 @@ const MANUAL: Manual = Manual {
          vagy a peremét: a burkoló követi. Ágak is lehetnek (L) és gyűrű (K); ha a körök így nem burkolhatók, \
          megmondja, miért, és F8 segít.",
         "A smooth skin is put over a chain of circles and touches each of them. Drag a new circle out of the store, \
-         move its middle or its rim: the skin follows. There may be branches (L) and a ring (K); circles that have no \
-         good skin are told why, and F8 helps.",
+         move its middle or its rim: the skin follows. There may be branches (L) and a ring (K); where circles have no \
+         good skin, the page says why, and F8 helps.",
     ),
     keys: commands::PLANE_KEYS,
     lesson: &[],

@@ -16,9 +16,10 @@ fn model(script: &str) -> Value {
     run(script).models["end.json"].clone()
 }
 
-/// Opens a sample.
+/// Opens a sample. Names typed in the manner of 1997 have the extension of the page; the list of today has all.
 fn sample(name: &str, script: &str) -> String {
-    format!("key T\ntype {name}\nkey Enter\n{script}")
+    let (name, manner) = name.strip_suffix(".GOM").map_or((name, ""), |name| (name, "manner today\n"));
+    format!("{manner}key T\ntype {name}\nkey Enter\n{script}")
 }
 
 /// Three circles by number.

@@ -59,6 +59,8 @@ pub(super) struct Rim {
     pub(super) row: Row,
     pub(super) number: usize,
     pub(super) rule: Option<u8>,
+    /// Whether there is room for the number.
+    pub(super) named: bool,
 }
 
 fn on_screen([x, y, r]: Row) -> ((i32, i32), i32) {
@@ -89,6 +91,9 @@ impl Own<2> for Rim {
         let ((x, y), r) = on_screen(self.row);
         let ink = if self.rule.is_some() { Color::LightRed } else { Color::LightGray };
         screen.circle(x, y, r, Stroke::thin(ink));
+        if !self.named && self.rule.is_none() {
+            return;
+        }
         let text = self.number.to_string();
         let half = 4 * i32::try_from(text.len()).unwrap_or(0);
         screen.text(x - half + 1, y - 3, &text, Color::White);

@@ -30,6 +30,9 @@ const FAR: f64 = 700.0;
 const NEAR: f64 = 420.0;
 /// Half the size of a power point's cross.
 const CROSS: f64 = 4.0;
+/// So many circles are numbered, of more those with this radius at least.
+const FEW: usize = 30;
+const ROOM: f64 = 9.0;
 /// Steps of a touching circle.
 const STEPS: usize = 160;
 
@@ -70,8 +73,11 @@ pub(super) fn items(editor: &Bench) -> Vec<Item<2>> {
         }
     }
     if discs {
-        let numbered = value.circles.iter().enumerate();
-        items.extend(numbered.map(|(index, &row)| own(Rim { row, number: index + 1, rule: rule(index) })));
+        let few = value.circles.len() <= FEW;
+        for (index, &row) in value.circles.iter().enumerate() {
+            let (rule, named) = (rule(index), few || row[2] >= ROOM);
+            items.push(own(Rim { row, number: index + 1, rule, named }));
+        }
     }
     if let Some(dressed) = &dressed {
         let ink = if dressed.violations.is_empty() { Color::White } else { Color::LightGray };
