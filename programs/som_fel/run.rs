@@ -13,9 +13,9 @@ pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 const PICTURES: u64 = 180;
 const STAGE_PICTURES: u64 = 12;
 const SOLUTION_PICTURES: usize = 12;
-/// What a piece may cost: neurons times steps, about 5 ms, and points of a fit, about 10 ms.
+/// What a piece may cost: neurons times steps, about 5 ms, and points of a fit, about 7 ms.
 const MOST_MOVES: u64 = 1_600_000;
-const MOST_POINTS: usize = 10_000;
+const MOST_POINTS: usize = 5_000;
 /// What of a solution may be done between two pictures in units of [`Fit::advance`], and at a time, so that hardly any of
 /// what follows is.
 const SOLUTION: usize = 20_000;
