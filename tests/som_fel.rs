@@ -233,7 +233,7 @@ fn what_is_wrong_keeps_the_cloud_that_is_there() {
         ("A.XYZ", b"1 2 3\n1 two 3\n"),
         ("A.PLY", b"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n2\n"),
         ("A.SOM", b"{\"format\":\"SOM\",\"topology\":\"open\",\"points\":[[[0,0,0]],[[0,0,0],[1,1,1]]]}"),
-        ("A.TXT", b"1 2 3\n"),
+        ("A.DOC", b"1 2 3\n"),
     ];
     for (name, content) in wrong {
         let model = run_with(with_file(name, content), &opened(name)).models["end.json"].clone();

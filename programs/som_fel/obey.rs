@@ -45,7 +45,7 @@ impl Trainer {
         let learning = matches!(self.run, Run::Learning(_));
         match action {
             Action::Shown | Action::Errors | Action::Colours | Action::Section => {
-                self.look_otherwise(desk, action)
+                self.look_otherwise(desk, action);
             }
             Action::Up | Action::Down => {
                 let look = self.viewer.look;

@@ -333,8 +333,8 @@ mod tests {
         let state = state.with_settings(settings).with_learning(learning);
         let text = serde_json::to_string(&Rescued::of(&state)).unwrap();
         let (taken, file) = serde_json::from_str::<Rescued>(&text).unwrap().state().unwrap();
-        assert_eq!((taken.net, taken.settings, file), (state.net, state.settings, None));
         assert_eq!(taken.cloud().unwrap().points(), cloud.points());
+        assert_eq!((taken.net, taken.settings, file), (state.net, state.settings, None));
         for bad in ["{}", "{\"settings\":{},\"topology\":\"open\",\"neurons\":[[[0,0]]]}"] {
             assert!(serde_json::from_str::<Rescued>(bad).is_err());
         }
