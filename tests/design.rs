@@ -621,7 +621,7 @@ mod commands {
                 (
                     &["A.CSK"],
                     1,
-                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC, .RBS, .CSM, .CSF and .ALP do",
+                    "grafika: A.CSK: this file holds no curve and no surface; .IP2, .IC2, .IP3, .GBP, the nets .FHC to .ZYP and .PN, .KCG to .KCJ, .RBC, .RBS, .CSM, .CSF, .ALP and .KOR do",
                 ),
             ] {
                 let refused = scratch.refused(&[command, arguments].concat());

@@ -175,7 +175,8 @@ mod tests {
     #[test]
     fn a_tree_stays_one_when_a_circle_goes() {
         let fork = circles(5, Some(&[[0, 1], [1, 2], [1, 3], [3, 4]]));
-        assert_eq!(deleted(&fork, 1).edges, None);
+        // What is a chain then is none in the order of its numbers.
+        assert_eq!(deleted(&fork, 1).edges, Some(vec![[2, 3], [0, 1], [0, 2]]));
         assert_eq!(deleted(&fork, 4).edges, Some(vec![[0, 1], [1, 2], [1, 3]]));
         assert_eq!(deleted(&fork, 3).edges, Some(vec![[0, 1], [1, 2], [1, 3]]));
         assert_eq!(deleted(&fork, 9), fork);

@@ -17,9 +17,7 @@ use std::path::PathBuf;
   grafika knots path A.CSM --knot 6 --span 6 --at 6.5 --values 5.2,5.6,6
   grafika knots envelope A.CSM --knot 6 --at 5.5,6
   grafika knots through B.CSM --point 280,200 --by any
-  grafika knots insert A.CSM --at 6.5 -o a.csm
-
-Knots, spans and control points are counted from 0: span J is from knot J to knot J + 1.")]
+  grafika knots insert A.CSM --at 6.5 -o a.csm")]
 pub(crate) struct Knots {
     #[command(subcommand)]
     command: Command,
@@ -32,6 +30,7 @@ enum Command {
     /// The envelope of all curves that a knot makes
     Envelope(EnvelopeArgs),
     /// Where the arcs before and after a knot end when it moves without end
+    #[command(after_help = "Examples:\n  grafika knots limits B.CSM --knot 5")]
     Limits(KnotArgs),
     /// Where a point goes while two knots move against each other
     Symmetric(SymmetricArgs),
@@ -42,6 +41,7 @@ enum Command {
     /// Take a knot away, if the curve stays as it is
     Remove(RemoveArgs),
     /// Raise the order by one; the curve stays as it is
+    #[command(after_help = "Examples:\n  grafika knots elevate D.CSM -o d.csm")]
     Elevate(DocumentArgs),
 }
 
@@ -56,13 +56,14 @@ struct DocumentArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:\n  grafika knots path A.CSM --knot 6 --span 6 --at 6.5 --values 5.2,5.6,6")]
 struct PathArgs {
     #[command(flatten)]
     source: Source,
-    /// The knot that moves
+    /// The knot that moves, counted from 0
     #[arg(long, value_name = "I")]
     knot: usize,
-    /// The span of the arc
+    /// The span of the arc: span J is from knot J to knot J + 1
     #[arg(long, value_name = "J")]
     span: usize,
     /// The parameter of the point
@@ -77,7 +78,7 @@ struct PathArgs {
 struct KnotArgs {
     #[command(flatten)]
     source: Source,
-    /// The knot, the first of equal ones
+    /// The knot, counted from 0, the first of equal ones
     #[arg(long, value_name = "I")]
     knot: usize,
     /// How many equal knots move together
@@ -86,6 +87,9 @@ struct KnotArgs {
 }
 
 #[derive(Args)]
+#[command(
+    after_help = "Examples:\n  grafika knots envelope A.CSM --knot 6\n  grafika knots envelope A.CSM --knot 6 --at 5.5,6"
+)]
 struct EnvelopeArgs {
     #[command(flatten)]
     knot: KnotArgs,
@@ -95,6 +99,7 @@ struct EnvelopeArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:\n  grafika knots symmetric B.CSM --knot 1 --at 3.5 --values 0,0.25")]
 struct SymmetricArgs {
     #[command(flatten)]
     source: Source,
@@ -110,6 +115,11 @@ struct SymmetricArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:
+  grafika knots through B.CSM --point 280,219 --by any
+  grafika knots through B.CSM --point 280,219 --by pair:outer --knot 5 --at 5
+  grafika knots through B.CSM --point 280,219 --by one --knot 5
+  grafika knots through A.CSF --point 0,0,60 --by outer --at 5,5")]
 struct ThroughArgs {
     #[command(flatten)]
     source: Source,
@@ -132,7 +142,7 @@ struct ThroughArgs {
     /// The parameter of the point; U,V of a surface
     #[arg(long, value_name = "U", allow_hyphen_values = true)]
     at: Option<Numbers>,
-    /// The two control points whose weights change, for weights
+    /// The two control points whose weights change, counted from 0, for weights
     #[arg(long, value_name = "A,B")]
     weights: Option<Numbers>,
 }
@@ -296,6 +306,7 @@ impl DocumentArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:\n  grafika knots insert A.CSM --at 6.5 -o a.csm")]
 struct InsertArgs {
     #[command(flatten)]
     document: DocumentArgs,
@@ -311,6 +322,7 @@ impl InsertArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:\n  grafika knots remove A.CSM --knot 6 --tolerance 20 -o a.csm")]
 struct RemoveArgs {
     #[command(flatten)]
     document: DocumentArgs,

@@ -103,19 +103,28 @@ impl Manuals {
 fn pages() -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let whole = whole();
     let mut pages = vec![("grafika.1".to_owned(), page(&whole, None)?)];
-    for command in whole.get_subcommands() {
+    add_pages(&whole, "grafika", &mut pages)?;
+    Ok(pages)
+}
+
+/// The pages of the commands below a command.
+fn add_pages(above: &clap::Command, path: &str, pages: &mut Vec<(String, Vec<u8>)>) -> Result<(), Failure> {
+    for command in above.get_subcommands().filter(|command| command.get_name() != "help") {
         let name = command.get_name();
         let program = by_name(name);
         let (title, manual) = match program {
             Some(program) => (name.to_owned(), Some(program.manual)),
-            None => (format!("grafika-{name}"), None),
+            None => (format!("{path}-{name}"), None),
         };
-        let command = command.clone().display_name(title.clone());
+        let named = command.clone().display_name(title.clone());
         // A program is a command by itself, not of grafika.
-        let command = if program.is_some() { command.bin_name(title.clone()) } else { command };
-        pages.push((format!("{title}.1"), page(&command, manual)?));
+        let named = if program.is_some() { named.bin_name(title.clone()) } else { named };
+        pages.push((format!("{title}.1"), page(&named, manual)?));
+        if program.is_none() {
+            add_pages(command, &title, pages)?;
+        }
     }
-    Ok(pages)
+    Ok(())
 }
 
 /// A manual page; that of a program with its keys.
@@ -266,7 +275,7 @@ mod tests {
             let page = match (path, is_program) {
                 ("grafika", _) => text("grafika.1"),
                 (_, true) => text(&format!("{name}.1")),
-                (_, false) => text(&format!("grafika-{name}.1")),
+                (_, false) => text(&format!("{}.1", path.replace(' ', "-"))),
             };
             assert!(page.contains(".SH EXAMPLES\n"), "{path}");
             let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
@@ -278,7 +287,9 @@ mod tests {
                 assert!(page.contains(program.manual.intro.1.get(..20).unwrap_or_default()), "{path}");
             }
         });
-        assert_eq!(pages.len(), 1 + whole().get_subcommands().count());
+        let mut commands = 0;
+        walk(&whole(), "grafika", &mut |_, _| commands += 1);
+        assert_eq!(pages.len(), commands);
     }
 
     #[test]

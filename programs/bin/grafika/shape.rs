@@ -19,9 +19,7 @@ use std::path::PathBuf;
   grafika shape path FELKOR.ALP --at 0.5 --parameter alpha --values 0.5,1,2,3
   grafika shape through HAN.ALP --parameter lambda:4 --point 280,290
   grafika shape interpolate A.IP2 --family han --value 0.5 --closed -o a.alp
-  grafika shape elevate KOR.ALP --by 2 -o b.alp
-
-Positions are span + x, 0 to 1 on Bezier curves, 0 to 2 pi on cyclic ones.")]
+  grafika shape elevate KOR.ALP --by 2 -o b.alp")]
 pub(crate) struct Shape {
     #[command(subcommand)]
     command: Command,
@@ -40,10 +38,13 @@ enum Command {
 }
 
 #[derive(Args)]
+#[command(
+    after_help = "Examples:\n  grafika shape path FELKOR.ALP --at 0.5 --parameter alpha --values 0.5,1,2,3"
+)]
 struct PathArgs {
     #[command(flatten)]
     source: Source,
-    /// The position of the point
+    /// The position of the point: span + x, 0 to 1 on Bezier curves, 0 to 2 pi on cyclic ones
     #[arg(long, value_name = "X")]
     at: f64,
     /// alpha, beta, omega or lambda; lambda:K is that of control point K, from 0
@@ -55,6 +56,7 @@ struct PathArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:\n  grafika shape through HAN.ALP --parameter lambda:4 --point 280,290")]
 struct ThroughArgs {
     #[command(flatten)]
     source: Source,
@@ -67,6 +69,9 @@ struct ThroughArgs {
 }
 
 #[derive(Args)]
+#[command(
+    after_help = "Examples:\n  grafika shape interpolate A.IP2 --family han --value 0.5 --closed -o a.alp"
+)]
 struct InterpolateArgs {
     #[command(flatten)]
     source: Source,
@@ -85,6 +90,7 @@ struct InterpolateArgs {
 }
 
 #[derive(Args)]
+#[command(after_help = "Examples:\n  grafika shape elevate KOR.ALP --by 2 -o b.alp")]
 struct ElevateArgs {
     #[command(flatten)]
     source: Source,
