@@ -277,8 +277,8 @@ proptest! {
         for (span, end, told) in [(i + m - 1, i + m - 1, limits.after), (i - 1, i - k, limits.before)] {
             let u = number(case.knots[span]) + fraction(case.part, 8);
             let place = de_boor(&case.points, k, &case.knots_with(&(case.present() + h())), &u, span);
-            for d in 0..2 {
-                let function = exact!(rational(place[d].clone()));
+            for (d, coordinate) in place.into_iter().enumerate() {
+                let function = exact!(rational(coordinate));
                 let (top, bottom) = (function.numerator(), function.denominator());
                 let limit = match (degree(top), degree(bottom)) {
                     (a, b) if a < b => Fraction::from(0),

@@ -50,7 +50,7 @@ fn hand() -> Document {
 fn ring() -> Document {
     let circle = |k: u8| {
         let (sine, cosine) = (f64::from(k) * 45.0).to_radians().sin_cos();
-        placed([8.0 + 5.0 * cosine, 3.0 + 5.0 * sine, if k % 2 == 0 { 1.2 } else { 1.8 }])
+        placed([8.0 + 5.0 * cosine, 3.0 + 5.0 * sine, if k.is_multiple_of(2) { 1.2 } else { 1.8 }])
     };
     let circles = (0..8).map(circle).collect();
     Document::Circles(Box::new(Circles { circles, closed: true, edges: None }))

@@ -22,9 +22,7 @@ use std::path::PathBuf;
   grafika skin VILLA.KOR -o fork.json
   grafika skin GYURU.KOR -o ring.step
   grafika skin CSIGA.GOM -o snail.stl
-  grafika skin ROSSZ.KOR --check
-
-Circles and spheres are counted from 0 in JSON, and from 1 in sentences and pictures.")]
+  grafika skin ROSSZ.KOR --check")]
 pub(crate) struct SkinCommand {
     #[command(flatten)]
     source: Source,
@@ -34,7 +32,8 @@ pub(crate) struct SkinCommand {
     /// Close the outline around the end circles; the surface over spheres is always closed
     #[arg(long)]
     caps: bool,
-    /// Tell whether the circles or spheres are admissible, and which rules they break; nothing is written
+    /// Tell whether the circles or spheres are admissible, and which rules they break, as JSON that counts them from 0;
+    /// nothing is written
     #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to"])]
     check: bool,
     /// Where to write: .svg, .pdf, .png, .json, .step; of spheres also .stl, .obj, .ply
