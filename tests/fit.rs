@@ -165,7 +165,7 @@ fn what_is_wrong_is_said_in_a_line() {
     folder.write("nan.xyz", "1 2 3\nnan 2 3\n4 5\n2 2 2\n0 1 0\n");
     for (status, line, told) in [
         (1, "fit few.xyz -o a.csf --grid 4x4", "take a smaller net"),
-        (1, "fit empty.xyz -o a.som", "no points"),
+        (1, "fit empty.xyz -o a.som", "no table of points"),
         (1, "fit bad.xyz -o a.som", "line 2"),
         (1, "fit none.xyz -o a.som", "no such file"),
         (1, "fit NYEREG.XYZ -o a.csf --grid 3x3", "at least 4 rows"),
