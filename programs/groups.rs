@@ -106,7 +106,7 @@ pub const SHAPES: Group = Group {
     folder: "ALAK",
     id: "alak",
     chapter: "H",
-    name: Words("Csomók, alakparaméterek", "Knots and shape"),
+    name: Words("Csomók és alakok", "Knots and shape"),
     about: Words(
         "Görbék, amelyek alakját a csomók vagy néhány szám változtatja, a kontrollpontok helyükön maradnak.",
         "Curves that are shaped by their knots or by a number while the control points stay.",

@@ -3,58 +3,11 @@
 
 #![cfg(feature = "native")]
 
+mod common;
+
+use common::folder::Folder;
 use grafika::file::{Document, FileKind, Format};
 use serde_json::Value;
-use std::fs;
-use std::process::{Command, Output};
-use tempfile::TempDir;
-
-struct Folder(TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        Folder(tempfile::tempdir().unwrap())
-    }
-
-    fn run(&self, line: &str) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_grafika"))
-            .current_dir(self.0.path())
-            .args(line.split(' ').filter(|word| !word.is_empty()))
-            .output()
-            .expect("it starts")
-    }
-
-    #[track_caller]
-    fn done(&self, line: &str) -> String {
-        let output = self.run(line);
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(0), "{line}: {said}");
-        String::from_utf8(output.stdout).unwrap()
-    }
-
-    #[track_caller]
-    fn json(&self, line: &str) -> Value {
-        serde_json::from_str(&self.done(line)).unwrap()
-    }
-
-    /// What a command says that fails with this status.
-    #[track_caller]
-    fn refused(&self, status: i32, line: &str) -> String {
-        let output = self.run(line);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(status), "{line}: {said}");
-        assert_eq!(said.trim_end().lines().count(), 1, "{said}");
-        said
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.0.path().join(name), text).unwrap();
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.0.path().join(name)).unwrap()
-    }
-}
 
 #[track_caller]
 fn near(found: &Value, expected: &[f64]) {
@@ -260,9 +213,7 @@ fn points_change_between_programs() {
     assert!(String::from_utf8_lossy(&told.stderr).contains("order, knots"));
     folder.done("convert A.GBP a.alp");
     folder.done("convert a.alp a.gbp");
-    let Document::Fourier(again) =
-        Document::read(Format::Gbp, &fs::read(folder.0.path().join("a.gbp")).unwrap()).unwrap()
-    else {
+    let Document::Fourier(again) = Document::read(Format::Gbp, &folder.bytes("a.gbp")).unwrap() else {
         panic!("coefficients")
     };
     let sample = grafika::machine::sample("A.GBP").unwrap();

@@ -2,12 +2,12 @@
 
 #![cfg(feature = "native")]
 
+mod common;
+
+use common::folder::Folder;
 use grafika::file::{Document, FileKind};
 use serde_json::Value;
 use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output};
-use tempfile::TempDir;
 
 const CAM: &str = r#"{"format": "IP2", "settings": {"method": "phspline", "closed": true},
     "points": [[430,190],[395,290],[290,330],[190,300],[150,200],[185,105],[270,60],[350,85]]}"#;
@@ -17,47 +17,12 @@ const SCREW: &str = r#"{"format": "IP3", "settings": {"method": "phhermite"}, "p
     "tangents": [[0,150,50],[-150,0,50],[0,-150,50]]}"#;
 
 /// A folder with the documents.
-struct Folder(TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        let folder = tempfile::tempdir().unwrap();
-        for (name, text) in [("cam.json", CAM), ("bay.json", BAY), ("screw.json", SCREW)] {
-            fs::write(folder.path().join(name), text).unwrap();
-        }
-        Folder(folder)
+fn folder() -> Folder {
+    let folder = Folder::new();
+    for (name, text) in [("cam.json", CAM), ("bay.json", BAY), ("screw.json", SCREW)] {
+        folder.write(name, text);
     }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn run(&self, line: &str) -> Output {
-        let words = line.split(' ').filter(|word| !word.is_empty());
-        Command::new(env!("CARGO_BIN_EXE_grafika"))
-            .current_dir(self.0.path())
-            .args(words)
-            .output()
-            .expect("it starts")
-    }
-
-    /// What a command writes that does its work.
-    #[track_caller]
-    fn done(&self, line: &str) -> String {
-        let output = self.run(line);
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(0), "{line}: {said}");
-        String::from_utf8(output.stdout).unwrap()
-    }
-
-    #[track_caller]
-    fn json(&self, line: &str) -> Value {
-        serde_json::from_str(&self.done(line)).unwrap()
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
+    folder
 }
 
 /// The columns of a table by their names.
@@ -73,7 +38,7 @@ fn close(a: f64, b: f64, within: f64) -> bool {
 
 #[test]
 fn lengths_and_limits_of_the_samples() {
-    let folder = Folder::new();
+    let folder = folder();
     let cam = folder.json("measure cam.json --to json");
     assert!(close(cam["length"].as_f64().unwrap(), 866.479834, 1e-6));
     assert!(close(cam["energy"].as_f64().unwrap(), 0.047615, 1e-6));
@@ -91,7 +56,7 @@ fn lengths_and_limits_of_the_samples() {
 
 #[test]
 fn equal_lengths_and_quantities() {
-    let folder = Folder::new();
+    let folder = folder();
     let table = folder.done("sample cam.json --uniform 200 --quantities");
     let s = column(&table, "s");
     assert_eq!(s.len(), 201);
@@ -123,7 +88,7 @@ fn equal_lengths_and_quantities() {
 
 #[test]
 fn offsets_are_exact_documents_that_render() {
-    let folder = Folder::new();
+    let folder = folder();
     folder.done("offset bay.json --distance 60 --trim -o bay60.rbc");
     let offset: Value = serde_json::from_str(&folder.read("bay60.rbc")).unwrap();
     assert_eq!((&offset["format"], offset["spans"][0]["degree"].as_u64()), (&Value::from("RBC"), Some(9)));
@@ -151,7 +116,7 @@ fn offsets_are_exact_documents_that_render() {
 
 #[test]
 fn offsets_as_points_pictures_and_moves() {
-    let folder = Folder::new();
+    let folder = folder();
     let (table, curve) = (
         folder.done("offset cam.json --distance=-15 --to csv --per-span 5"),
         folder.done("sample cam.json --per-span 5"),
@@ -184,7 +149,7 @@ fn offsets_as_points_pictures_and_moves() {
 
 #[test]
 fn pictures_show_offsets_combs_and_speeds() {
-    let folder = Folder::new();
+    let folder = folder();
     let arcs = |options: &str| {
         folder.done(&format!("render bay.json {options} -o a.svg"));
         folder.read("a.svg").matches(['C', 'L']).count()
@@ -202,7 +167,7 @@ fn pictures_show_offsets_combs_and_speeds() {
 
 #[test]
 fn formulas_are_exact() {
-    let folder = Folder::new();
+    let folder = folder();
     assert_eq!(folder.done("poly (x+y)^2-x^2"), "2*x*y + y^2\n");
     assert_eq!(folder.done("poly x/(1+x) --derivative x --at x=1/2"), "4/9\n");
     // Substitutions go together.
@@ -215,7 +180,7 @@ fn formulas_are_exact() {
 
 #[test]
 fn refusals_are_one_line_and_write_nothing() {
-    let folder = Folder::new();
+    let folder = folder();
     let files = [
         ("equal.json", r#"{"format": "IP2", "points": [[0,0],[100,50],[100,50],[200,0]]}"#),
         ("s.json", r#"{"format": "IC2", "points": [[0,0],[100,0]], "tangents": [[1,0.5],[1,0.5]]}"#),

@@ -2,58 +2,16 @@
 
 #![cfg(feature = "native")]
 
+mod common;
+
+use common::folder::Folder;
 use serde_json::Value;
-use std::fs;
-use std::process::{Command, Output};
-use tempfile::TempDir;
 
-struct Folder(TempDir);
-
-impl Folder {
-    fn new() -> Folder {
-        Folder(tempfile::tempdir().unwrap())
-    }
-
-    fn run(&self, line: &str) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_grafika"))
-            .current_dir(self.0.path())
-            .args(line.split(' ').filter(|word| !word.is_empty()))
-            .output()
-            .expect("it starts")
-    }
-
-    #[track_caller]
-    fn done(&self, line: &str) -> String {
-        let output = self.run(line);
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(0), "{line}: {said}");
-        String::from_utf8(output.stdout).unwrap()
-    }
-
-    /// What a command says that fails with this status.
-    #[track_caller]
-    fn refused(&self, status: i32, line: &str) -> String {
-        let output = self.run(line);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(status), "{line}: {said}");
-        assert_eq!(said.trim_end().lines().count(), 1, "{said}");
-        said
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.0.path().join(name), text).unwrap();
-    }
-
-    fn read(&self, name: &str) -> String {
-        String::from_utf8_lossy(&fs::read(self.0.path().join(name)).unwrap()).into_owned()
-    }
-
-    /// The skin of a file as JSON.
-    #[track_caller]
-    fn skin(&self, options: &str) -> Value {
-        self.done(&format!("skin {options} -o skin.json"));
-        serde_json::from_str(&self.read("skin.json")).unwrap()
-    }
+/// The skin of a file as JSON.
+#[track_caller]
+fn skin(folder: &Folder, options: &str) -> Value {
+    folder.done(&format!("skin {options} -o skin.json"));
+    serde_json::from_str(&folder.read("skin.json")).unwrap()
 }
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -67,7 +25,7 @@ fn samples_are_admissible_but_one() {
         let told: Value = serde_json::from_str(&folder.done(&format!("skin {name} --check"))).unwrap();
         assert_eq!(told["admissible"], true, "{name}");
         assert_eq!(told["violations"].as_array().map(Vec::len), Some(0), "{name}");
-        assert_eq!(folder.skin(name)["unclear"].as_array().map(Vec::len), Some(0), "{name}");
+        assert_eq!(skin(&folder, name)["unclear"].as_array().map(Vec::len), Some(0), "{name}");
     }
     let output = folder.run("skin ROSSZ.KOR --check");
     assert_eq!(output.status.code(), Some(1));
@@ -76,7 +34,7 @@ fn samples_are_admissible_but_one() {
     assert_eq!(told["violations"][0], serde_json::json!({ "rule": 3, "circles": [0, 1, 2] }));
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("circles 1 and 3 meet outside circle 2"), "{said}");
-    assert!(fs::read_dir(folder.0.path()).unwrap().count() == 1, "only skin.json is written");
+    assert!(std::fs::read_dir(folder.path("")).unwrap().count() == 1, "only skin.json is written");
 }
 
 /// Whatever is said of the sides: every touching point lies on its circle, arcs lead from one to the next.
@@ -84,7 +42,7 @@ fn samples_are_admissible_but_one() {
 fn sides_touch_their_circles() {
     let folder = Folder::new();
     folder.write("three.kor", "{\"format\":\"KOR\",\"circles\":[[0,0,1],[4,0,2],[8,1,0.5]]}");
-    let skin = folder.skin("three.kor");
+    let skin = skin(&folder, "three.kor");
     let circles = [[0.0, 0.0, 1.0], [4.0, 0.0, 2.0], [8.0, 1.0, 0.5]];
     assert_eq!((skin["format"].as_str(), skin["loops"].as_array().map(Vec::len)), (Some("SKN"), Some(0)));
     for side in ["left", "right"] {
@@ -106,7 +64,7 @@ fn sides_touch_their_circles() {
 #[test]
 fn a_tree_has_one_closed_outline() {
     let folder = Folder::new();
-    let skin = folder.skin("VILLA.KOR --plain");
+    let skin = skin(&folder, "VILLA.KOR --plain");
     assert_eq!(skin["touch"].as_array().map(Vec::len), Some(0));
     let pieces = skin["loops"][0].as_array().unwrap();
     assert_eq!(skin["loops"].as_array().map(Vec::len), Some(1));
@@ -128,7 +86,7 @@ fn pictures_and_models_are_written() {
     folder.done("skin KIGYO.KOR -o caps.svg --caps");
     let [open, caps] = ["open.svg", "caps.svg"].map(|name| folder.read(name));
     assert!(caps.matches('C').count() > open.matches('C').count());
-    let skin = folder.skin("KIGYO.KOR");
+    let skin = skin(&folder, "KIGYO.KOR");
     let arc = numbers(&skin["right"][0]["bezier"][0]);
     // Up is down in SVG.
     assert!(open.contains(&format!("M{} ", arc[0])), "{open}");
@@ -154,7 +112,7 @@ fn pictures_and_models_are_written() {
 #[test]
 fn spheres_are_solids() {
     let folder = Folder::new();
-    let circles = folder.skin("CSIGA.GOM")["circles"].as_array().cloned().unwrap();
+    let circles = skin(&folder, "CSIGA.GOM")["circles"].as_array().cloned().unwrap();
     assert_eq!(circles.len(), 5);
     let axis = numbers(&circles[2]["axis"]);
     assert!((axis.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-12);

@@ -12,7 +12,7 @@ use crate::editor::passage::Passage;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::{Craft, Editor};
-use crate::file::{Document, Format, Method, Places};
+use crate::file::{Document, Format, Places};
 use crate::geometry::Point;
 use crate::geometry::shaped::{Parameter, ShapedCurve};
 use crate::machine::{Asked, Tick};
@@ -126,10 +126,6 @@ where
 
     fn document(&self, form: &Form<D>) -> Document {
         form.document().into()
-    }
-
-    fn implied(&self) -> Option<Method> {
-        None
     }
 
     fn names_shape(&self, form: &Form<D>) -> bool {
@@ -268,14 +264,8 @@ where
         texts::problem(editor.history.now())
     }
 
-    fn reshaped(_: &mut Bench<D>, _: &mut Desk<'_>) {}
-
     async fn begin_result(editor: &mut Bench<D>, desk: &mut Desk<'_>) -> Asked<bool> {
         obey::begin_result(editor, desk).await
-    }
-
-    async fn end_result(_: &mut Bench<D>, _: &mut Desk<'_>) -> Asked<()> {
-        Ok(())
     }
 
     fn draw(editor: &Bench<D>, layer: Layer, page: &mut Page<'_>) {

@@ -10,7 +10,7 @@ use crate::editor::passage::Passage;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::{Craft, Editor};
-use crate::file::{Circles, Document, Format, Method};
+use crate::file::{Circles, Document, Format};
 use crate::geometry::Point;
 use crate::geometry::skin::{Clearing, MAX_BALLS};
 use crate::machine::{Asked, Event, Tick};
@@ -115,10 +115,6 @@ impl Craft<2> for Skinner {
 
     fn document(&self, circles: &Circles) -> Document {
         Document::Circles(Box::new(circles.clone()))
-    }
-
-    fn implied(&self) -> Option<Method> {
-        None
     }
 
     fn names_shape(&self, circles: &Circles) -> bool {
@@ -252,18 +248,8 @@ impl Craft<2> for Skinner {
         Ok(())
     }
 
-    fn problem(_: &Bench) -> Option<Phrase> {
-        None
-    }
-
-    fn reshaped(_: &mut Bench, _: &mut Desk<'_>) {}
-
     async fn begin_result(editor: &mut Bench, desk: &mut Desk<'_>) -> Asked<bool> {
         obey::begin_result(editor, desk).await
-    }
-
-    async fn end_result(_: &mut Bench, _: &mut Desk<'_>) -> Asked<()> {
-        Ok(())
     }
 
     fn draw(editor: &Bench, layer: Layer, page: &mut Page<'_>) {

@@ -14,7 +14,7 @@ use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::stage::Stage;
 use crate::editor::{Craft, Editor};
-use crate::file::{Document, Format, KnotPoints, MAX_POINTS, Method, Places};
+use crate::file::{Document, Format, KnotPoints, MAX_POINTS, Places};
 use crate::geometry::Point;
 use crate::geometry::knots::KnotCurve;
 use crate::machine::{Asked, Event, Modifier, Mouse, Tick};
@@ -185,10 +185,6 @@ impl Craft<2> for Bench {
         Document::Knots(Box::new(curve.clone()))
     }
 
-    fn implied(&self) -> Option<Method> {
-        None
-    }
-
     fn names_shape(&self, curve: &KnotPoints) -> bool {
         curve.is_curve()
     }
@@ -328,12 +324,6 @@ impl Craft<2> for Bench {
         Ok(())
     }
 
-    fn problem(_: &Editor<Bench, 2>) -> Option<Phrase> {
-        None
-    }
-
-    fn reshaped(_: &mut Editor<Bench, 2>, _: &mut Desk<'_>) {}
-
     async fn begin_result(editor: &mut Editor<Bench, 2>, desk: &mut Desk<'_>) -> Asked<bool> {
         if !editor.history.now().is_curve() {
             desk.tell(texts::NO_CURVE, Stay::Briefly);
@@ -342,10 +332,6 @@ impl Craft<2> for Bench {
         let answer = desk.ask(editor, &Question::yes_no(words::ASK_POINTS)).await?;
         editor.stage = Stage::Result { points: answer == Answer::First };
         Ok(true)
-    }
-
-    async fn end_result(_: &mut Editor<Bench, 2>, _: &mut Desk<'_>) -> Asked<()> {
-        Ok(())
     }
 
     fn draw(editor: &Editor<Bench, 2>, layer: Layer, page: &mut Page<'_>) {

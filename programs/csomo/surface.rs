@@ -16,7 +16,7 @@ use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::stage::Stage;
 use crate::editor::{Craft, Editor};
-use crate::file::{Document, Format, KnotNet, Method, NetKind};
+use crate::file::{Document, Format, KnotNet, NetKind};
 use crate::geometry::knots::{KnotSurface, KnotVector};
 use crate::geometry::{BoundingBox, ParamSurface, Point};
 use crate::machine::{Asked, Event, Modifier, Tick};
@@ -135,10 +135,6 @@ impl Craft<3> for Nets {
 
     fn document(&self, net: &KnotNet) -> Document {
         Document::KnotNet(Box::new(net.clone()))
-    }
-
-    fn implied(&self) -> Option<Method> {
-        None
     }
 
     fn names_shape(&self, _: &KnotNet) -> bool {
@@ -273,19 +269,9 @@ impl Craft<3> for Nets {
         Ok(())
     }
 
-    fn problem(_: &Editor<Nets, 3>) -> Option<Phrase> {
-        None
-    }
-
-    fn reshaped(_: &mut Editor<Nets, 3>, _: &mut Desk<'_>) {}
-
     async fn begin_result(editor: &mut Editor<Nets, 3>, _: &mut Desk<'_>) -> Asked<bool> {
         editor.stage = Stage::Result { points: false };
         Ok(true)
-    }
-
-    async fn end_result(_: &mut Editor<Nets, 3>, _: &mut Desk<'_>) -> Asked<()> {
-        Ok(())
     }
 
     fn covers_ground(editor: &Editor<Nets, 3>) -> bool {

@@ -65,7 +65,9 @@ pub(crate) trait Craft<const D: usize>: Sized + 'static {
     /// The value as a document, with its whole recipe.
     fn document(&self, value: &Self::Value) -> Document;
     /// The program's method, for a value that names none.
-    fn implied(&self) -> Option<Method>;
+    fn implied(&self) -> Option<Method> {
+        None
+    }
     /// Whether a file of the format can hold the value, apart from its recipe.
     fn fits_format(&self, _: &Self::Value) -> bool {
         true
@@ -148,14 +150,18 @@ pub(crate) trait Craft<const D: usize>: Sized + 'static {
         moved: Self::Value,
     ) -> Asked<()>;
     /// The reason why there is no curve or surface.
-    fn problem(editor: &Editor<Self, D>) -> Option<Phrase>;
+    fn problem(_: &Editor<Self, D>) -> Option<Phrase> {
+        None
+    }
     /// Called after a change to parameters that have a curve or surface.
-    fn reshaped(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>);
+    fn reshaped(_: &mut Editor<Self, D>, _: &mut Desk<'_>) {}
 
     /// Whether there is a result to show; if not, says why.
     async fn begin_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<bool>;
     /// Called on return from the result.
-    async fn end_result(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>) -> Asked<()>;
+    async fn end_result(_: &mut Editor<Self, D>, _: &mut Desk<'_>) -> Asked<()> {
+        Ok(())
+    }
 
     /// Whether the items replace the background.
     fn covers_ground(_: &Editor<Self, D>) -> bool {

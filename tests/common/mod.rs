@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 
+#[cfg(feature = "native")]
+pub(crate) mod folder;
 pub(crate) mod pictures;
 pub(crate) mod random;
 pub(crate) mod reference;

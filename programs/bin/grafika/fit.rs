@@ -1,6 +1,6 @@
 //! `grafika fit`: a net of neurons that learns a cloud of points, and the surface that is fitted to it.
 
-use crate::render::Format as Picture;
+use crate::picture::Format as Picture;
 use crate::sample::{SURFACE_STEPS, extension};
 use crate::source::InputFormat;
 use clap::Args;
@@ -89,6 +89,12 @@ impl FitArgs {
         let failed = |error: &dyn std::fmt::Display| Failure::work(format!("{name}: {error}"));
         let cloud = Cloud::new(points.points).map_err(|error| failed(&error))?;
         let start = self.start(&cloud, topology)?;
+        self.check_kind(&wanted, start.is_polygon())?;
+        let corrections = self.corrections.map_or(Fit::CORRECTIONS, usize::from);
+        if !matches!(wanted, Wanted::Net) && self.grow.is_none() {
+            // What the fit would refuse after all the learning is refused at once.
+            Fit::new(&cloud, &start, corrections).map_err(|error| failed(&error))?;
+        }
         let mut learning = match self.grow {
             Some(limit) => Learning::growing(&cloud, start, limit, self.seed),
             None => Learning::new(&cloud, start, self.rule()),
@@ -108,7 +114,6 @@ impl FitArgs {
             let document = SomNet { topology: net.topology(), points: net.rows() };
             return self.document(Document::Som(Box::new(document)));
         }
-        let corrections = self.corrections.map_or(Fit::CORRECTIONS, usize::from);
         let mut fit = Fit::new(&cloud, learning.net(), corrections).map_err(|error| failed(&error))?;
         let alive = progress::alive("fitting");
         let report = loop {
@@ -157,6 +162,20 @@ impl FitArgs {
         Ok(wanted)
     }
 
+    /// A polygon becomes a curve, any other net a surface; a file of the other kind is refused before the work begins.
+    fn check_kind(&self, wanted: &Wanted, polygon: bool) -> Result<(), Failure> {
+        let extension = extension(Some(&self.output));
+        match (wanted, polygon, extension.as_deref()) {
+            (Wanted::Model(_), true, _) | (_, true, Some("csf")) => {
+                Err(Failure::usage("a net of one row or column becomes a curve, which is written as .csm"))
+            }
+            (_, false, Some("csm")) => Err(Failure::usage(
+                "this net becomes a surface, which is written as .csf; --grid Nx1 makes a curve",
+            )),
+            _ => Ok(()),
+        }
+    }
+
     fn rule(&self) -> Rule {
         Rule {
             weighting: Weighting::of_name(&self.weighting).unwrap_or(Weighting::Gauss),
@@ -201,9 +220,8 @@ impl FitArgs {
     }
 
     fn model(&self, fitted: &Fitted, format: Picture) -> Result<(), Failure> {
-        let Some(surface) = fitted.surface() else {
-            return Err(Failure::usage("models are of surfaces; the curve of a polygon is written as .csm"));
-        };
+        // Checked before anything was learnt.
+        let Some(surface) = fitted.surface() else { return Ok(()) };
         let name =
             self.output.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let options = ModelOptions { steps: SURFACE_STEPS as usize, tolerance: MODEL_TOLERANCE, name: &name };

@@ -1,6 +1,6 @@
 //! `grafika knots`: what becomes of a B-spline when its knots move, and which knots bring it through a point.
 
-use crate::numbers::{Numbers, places};
+use crate::numbers::{Numbers, places, row};
 use crate::source::Source;
 use clap::{Args, Subcommand};
 use grafika::design::knots::{Curve, curve, document};
@@ -8,7 +8,7 @@ use grafika::file::{Document, KnotNet, Places};
 use grafika::geometry::knots::{KnotCurve, KnotError, Pair, Through, Way};
 use grafika::geometry::{Point, norm};
 use grafika::launch::{Failure, write_output};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// The command line of `grafika knots`.
@@ -210,16 +210,6 @@ impl Source {
 /// One line of JSON on standard output.
 fn answer(value: &Value) -> Result<(), Failure> {
     write_output(None, format!("{value}\n").as_bytes())
-}
-
-/// A point with its coordinates and a number before them.
-fn row<const D: usize>(name: &str, value: f64, point: Option<Point<D>>) -> Value {
-    let mut row = Map::new();
-    row.insert(name.to_owned(), json!(value));
-    for (d, axis) in ["x", "y", "z"].into_iter().take(D).enumerate() {
-        row.insert(axis.to_owned(), json!(point.map(|point| point[d])));
-    }
-    Value::Object(row)
 }
 
 /// The same for curves of the plane and in space.

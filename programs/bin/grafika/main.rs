@@ -12,6 +12,7 @@ mod normals;
 mod numbers;
 mod offset;
 mod ph;
+mod picture;
 mod poly;
 mod reference;
 mod render;

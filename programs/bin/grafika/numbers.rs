@@ -1,6 +1,8 @@
-//! Lists of numbers in options.
+//! Lists of numbers in options, and numbers with points in answers.
 
+use grafika::geometry::Point;
 use grafika::launch::Failure;
+use serde_json::{Map, Value, json};
 use std::str::FromStr;
 
 /// Numbers joined by commas.
@@ -28,6 +30,16 @@ pub(crate) fn places<const N: usize>(
     let found = numbers.0.len();
     <[f64; N]>::try_from(numbers.0.clone())
         .map_err(|_| Failure::usage(format!("{option} has {found} numbers; give {wanted}")))
+}
+
+/// A number and a point beside it, as JSON; a point that there is not is nulls.
+pub(crate) fn row<const D: usize>(name: &str, value: f64, point: Option<Point<D>>) -> Value {
+    let mut row = Map::new();
+    row.insert(name.to_owned(), json!(value));
+    for (d, axis) in ["x", "y", "z"].into_iter().take(D).enumerate() {
+        row.insert(axis.to_owned(), json!(point.map(|point| point[d])));
+    }
+    Value::Object(row)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::curve::CurveArgs;
 use crate::normals;
 use crate::ph::PhShape;
-use crate::render::{Format, picture};
+use crate::picture::{Format, picture};
 use crate::sample::{SURFACE_STEPS, extension};
 use crate::source::is_stream;
 use clap::Args;

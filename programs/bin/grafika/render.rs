@@ -1,27 +1,27 @@
 //! `grafika render`: a picture of a curve or a surface as PNG, SVG or PDF, or a surface as a model.
 
+mod scene;
+
 use crate::curve::CurveArgs;
 use crate::normals;
 use crate::offset::plot;
 use crate::ph::PhShape;
-use crate::sample::{SURFACE_STEPS, extension};
+use crate::picture::{Format, picture};
+use crate::sample::SURFACE_STEPS;
 use clap::Args;
-use grafika::design::ec::EcShapes;
 use grafika::design::offset::curve as curve_of;
 use grafika::design::{Controls, Design, NetDesign, Shape, knots, shaped, skin};
 use grafika::figure::{
     Axes, CURVE_INK, Figure, Hidden, LARGEST_WIDTH, MODEL_TOLERANCE, ModelFormat, ModelOptions,
-    NOMINAL_WIDTH, OFFSET_INK, SMALLEST_WIDTH, StepCurve, closure, curves_step, outline_step, print_ink,
+    NOMINAL_WIDTH, OFFSET_INK, SMALLEST_WIDTH, StepCurve, closure, curves_step, outline_step,
 };
-use grafika::file::ec::{EcCurve, EcDocument, Item};
 use grafika::file::{Circles, Method, SPACE_VIEW};
 use grafika::geometry::ph::{Offset, PhCurve, RationalArc, RationalCurve};
 use grafika::geometry::skin::Outline;
 use grafika::geometry::{
-    BoundingBox, Closure, GeometryError, Grid, ParamCurve, ParamSurface, PnSurface, Point, View,
+    BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
 use grafika::launch::{Failure, progress, say, write_output};
-use grafika::screen::Color;
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -397,67 +397,6 @@ impl Render {
         Ok(content)
     }
 
-    /// Arcs and patches over extended Chebyshev spaces: curves within a tolerance that no picture shows, patches by
-    /// the lines that nothing hides.
-    fn parts(&self, document: &EcDocument, parts: &EcShapes, format: Format) -> Result<Vec<u8>, Failure> {
-        if format.is_model() {
-            self.check_model()?;
-            if parts.patches.is_empty() {
-                let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
-                return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
-            }
-            if !parts.curves.is_empty() {
-                say("grafika", "models are of surfaces; the curves of this scene are left out");
-            }
-            let surfaces: Vec<&dyn ParamSurface> =
-                parts.patches.iter().map(|patch| patch as &dyn ParamSurface).collect();
-            return self.model(&surfaces, format);
-        }
-        let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
-        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-        let grids: Vec<Grid> = parts
-            .patches
-            .iter()
-            .map(|patch| patch.grid(steps))
-            .collect::<Result<_, _>>()
-            .map_err(Failure::work)?;
-        let mut figure = self.titled();
-        if !grids.is_empty() {
-            figure.plot_surfaces(&grids, &view, Hidden::LeftOut);
-        }
-        let place = |&point: &Point<3>| view.place(point);
-        let lines = |net: &[Vec<Point<3>>]| -> Vec<Vec<Point<2>>> {
-            let columns = net.first().map_or(0, Vec::len);
-            let across = (0..columns).map(|l| net.iter().filter_map(|row| row.get(l)).map(place).collect());
-            net.iter().map(|row| row.iter().map(place).collect()).chain(across).collect()
-        };
-        let nets = parts.patches.iter().map(|patch| patch.net());
-        if self.polygon {
-            let polygons = parts.curves.iter().map(|arc| arc.points().iter().map(place).collect());
-            let all = polygons.chain(nets.clone().flat_map(lines));
-            all.for_each(|line: Vec<Point<2>>| figure.plot_polygon(line, Closure::Open));
-        }
-        let inks = curve_inks(document);
-        for (arc, ink) in parts.curves.iter().zip(inks.into_iter().chain(std::iter::repeat(CURVE_INK))) {
-            figure.plot_space_curve(arc, &view, ink).map_err(Failure::work)?;
-        }
-        if self.points {
-            for arc in &parts.curves {
-                let labelled = arc.points().iter().enumerate();
-                labelled.for_each(|(i, point)| figure.plot_point(place(point), Some(i.to_string())));
-            }
-            for (i, row) in nets.clone().flat_map(|net| net.iter().enumerate()) {
-                let labelled = row.iter().enumerate();
-                labelled.for_each(|(j, point)| figure.plot_point(place(point), Some(format!("{i},{j}"))));
-            }
-        }
-        let curves = parts.curves.iter().map(|arc| arc.bounding_box());
-        let patches = grids.iter().map(|grid| BoundingBox::of_points(grid.points()));
-        let bounds = curves.chain(patches).flatten().reduce(BoundingBox::union);
-        self.measure(&mut figure, view, [bounds, None]);
-        self.picture(&figure, format)
-    }
-
     /// The visible lines of a surface, with its net over them.
     fn wireframe(
         &self,
@@ -566,96 +505,6 @@ impl Exact {
             Exact::Ph(curve) => curve,
             Exact::Rational(curve) => curve,
         }
-    }
-}
-
-/// A figure in the format of a picture.
-pub(crate) fn picture(figure: &Figure, format: Format, width: u32) -> Result<Vec<u8>, Failure> {
-    if figure.lacks_axes() {
-        say("grafika", NO_AXES);
-    }
-    let content = match format {
-        Format::Svg => figure.to_svg_of_width(width).map(String::into_bytes),
-        Format::Pdf => figure.to_pdf_of_width(width),
-        _ => figure.to_png(width),
-    };
-    content.map_err(Failure::work)
-}
-
-/// The colours of the curves of a document, for paper; a white one is drawn as curves are.
-fn curve_inks(document: &EcDocument) -> Vec<[u8; 3]> {
-    let ink = |curve: &EcCurve| match Color::from_index(curve.style.colour) {
-        Color::White => CURVE_INK,
-        color => print_ink(color),
-    };
-    match document {
-        EcDocument::Curve(curve) => vec![ink(curve)],
-        EcDocument::Scene(scene) => scene
-            .items
-            .iter()
-            .filter_map(|item| match item {
-                Item::Curve(curve) => Some(ink(curve)),
-                Item::Patch(_) => None,
-            })
-            .collect(),
-        _ => Vec::new(),
-    }
-}
-
-/// What is said where axes were asked for and cannot be drawn.
-const NO_AXES: &str = "the picture has no axes: so far from the origin their numbers would need too many digits to be \
-                       told apart; move the points nearer to the origin";
-
-const FORMATS: &str =
-    "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step, PH curves also as .step";
-
-/// What is written, by the extension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Format {
-    Png,
-    Svg,
-    Pdf,
-    Obj,
-    Stl,
-    Ply,
-    Step,
-}
-
-impl Format {
-    fn of(path: &std::path::Path) -> Result<Format, Failure> {
-        let Some(extension) = extension(Some(path)) else {
-            return Err(Failure::usage(format!("-o - has no extension; say it, as in --to png: {FORMATS}")));
-        };
-        Format::parse(&extension).map_err(|why| Failure::usage(format!("-o {}: {why}", path.display())))
-    }
-
-    /// The format of an extension without its dot, in any case.
-    pub(crate) fn parse(extension: &str) -> Result<Format, String> {
-        Ok(match extension.to_lowercase().as_str() {
-            "png" => Format::Png,
-            "svg" => Format::Svg,
-            "pdf" => Format::Pdf,
-            "obj" => Format::Obj,
-            "stl" => Format::Stl,
-            "ply" => Format::Ply,
-            "step" | "stp" => Format::Step,
-            _ => return Err(FORMATS.to_owned()),
-        })
-    }
-
-    /// The format of models; `None` for pictures.
-    pub(crate) fn model(self) -> Option<ModelFormat> {
-        match self {
-            Format::Step => Some(ModelFormat::Step),
-            Format::Stl => Some(ModelFormat::Stl),
-            Format::Obj => Some(ModelFormat::Obj),
-            Format::Ply => Some(ModelFormat::Ply),
-            Format::Png | Format::Svg | Format::Pdf => None,
-        }
-    }
-
-    pub(crate) fn is_model(self) -> bool {
-        !matches!(self, Format::Png | Format::Svg | Format::Pdf)
     }
 }
 

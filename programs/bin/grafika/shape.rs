@@ -1,7 +1,7 @@
 //! `grafika shape`: what becomes of a curve when its shape parameters change, and which bring it through points.
 
 use crate::at::positions;
-use crate::numbers::{Numbers, places};
+use crate::numbers::{Numbers, places, row};
 use crate::source::Source;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
@@ -10,7 +10,7 @@ use grafika::file::{Document, FamilyName, Format, LambdaValue, Places, ShapedPoi
 use grafika::geometry::Point;
 use grafika::geometry::shaped::{Parameter, ShapedCurve, elevate_cyclic, interpolate};
 use grafika::launch::{Failure, write_output};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// The command line of `grafika shape`.
@@ -171,15 +171,8 @@ impl PathArgs {
         }
         let (span, x) = curve.basis().place(self.at);
         let points = curve.path(self.parameter, span, x, &self.values.0).map_err(Failure::work)?;
-        let row = |(value, point): (&f64, Point<D>)| {
-            let mut row = Map::new();
-            row.insert("value".to_owned(), json!(value));
-            for (axis, x) in ["x", "y", "z"].into_iter().zip(point) {
-                row.insert(axis.to_owned(), json!(x));
-            }
-            Value::Object(row)
-        };
-        let rows: Value = self.values.0.iter().zip(points).map(row).collect();
+        let points = self.values.0.iter().zip(points);
+        let rows: Value = points.map(|(&value, point)| row("value", value, Some(point))).collect();
         write_output(None, format!("{rows}\n").as_bytes())
     }
 }

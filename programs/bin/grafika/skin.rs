@@ -3,7 +3,7 @@
 
 mod spheres;
 
-use crate::render::{Format, picture};
+use crate::picture::{Format, picture};
 use crate::sample::extension;
 use crate::source::Source;
 use clap::Args;

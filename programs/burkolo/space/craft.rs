@@ -12,7 +12,7 @@ use crate::editor::passage::Passage;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::{Craft, Editor};
-use crate::file::{Circles, Document, FIELD, Format, Method, SPACE_VIEW, Spheres};
+use crate::file::{Circles, Document, FIELD, Format, SPACE_VIEW, Spheres};
 use crate::geometry::skin::{self, Clearing, MAX_BALLS, SphereSkin, Violation};
 use crate::geometry::{BoundingBox, ParamSurface, Point};
 use crate::machine::{Asked, Event, Tick};
@@ -163,10 +163,6 @@ impl Craft<3> for Strings {
         Document::Spheres(Box::new(spheres.clone()))
     }
 
-    fn implied(&self) -> Option<Method> {
-        None
-    }
-
     fn names_shape(&self, spheres: &Spheres) -> bool {
         spheres.spheres.len() > 1
     }
@@ -293,18 +289,8 @@ impl Craft<3> for Strings {
         Ok(())
     }
 
-    fn problem(_: &Bench) -> Option<Phrase> {
-        None
-    }
-
-    fn reshaped(_: &mut Bench, _: &mut Desk<'_>) {}
-
     async fn begin_result(editor: &mut Bench, desk: &mut Desk<'_>) -> Asked<bool> {
         obey::begin_result(editor, desk).await
-    }
-
-    async fn end_result(_: &mut Bench, _: &mut Desk<'_>) -> Asked<()> {
-        Ok(())
     }
 
     fn draw(editor: &Bench, layer: Layer, page: &mut Page<'_>) {

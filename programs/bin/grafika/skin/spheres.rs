@@ -1,7 +1,7 @@
 //! The skin of spheres as a picture, as JSON, as a mesh, or exactly for CAD programs.
 
 use super::{SkinCommand, Wanted, check, complain};
-use crate::render::{Format, picture};
+use crate::picture::{Format, picture};
 use grafika::design::skin::spheres;
 use grafika::figure::{Figure, Hidden, MODEL_TOLERANCE, ModelFormat, ModelOptions, NOMINAL_WIDTH};
 use grafika::file::{SPACE_VIEW, Spheres};
