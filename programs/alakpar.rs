@@ -21,9 +21,8 @@ mod traces;
 
 use super::groups;
 use crate::editor;
-use crate::editor::passage::Passage;
+use crate::editor::passage::{self, Passage};
 use crate::file::{Document, Format};
-use crate::machine::{Asked, Machine};
 use crate::ui::{CommandLine, Demo, Manual, Phrase, Program, Start, Words};
 use craft::Shaper;
 use std::rc::Rc;
@@ -57,9 +56,7 @@ pub const PROGRAM: Program = Program {
 /// Prepares the page that a document belongs to; F3 goes to the other one.
 fn start(document: Option<Document>) -> Result<Start, Phrase> {
     let in_space = document.as_ref().is_some_and(files::is_in_space);
-    let passage = Rc::new(Passage::default());
-    let first = page(in_space, &passage, document)?;
-    Ok(Box::new(move |machine| Box::pin(run(machine, first, in_space, passage))))
+    passage::start(in_space, document, page)
 }
 
 fn page(in_space: bool, passage: &Rc<Passage>, document: Option<Document>) -> Result<Start, Phrase> {
@@ -68,18 +65,6 @@ fn page(in_space: bool, passage: &Rc<Passage>, document: Option<Document>) -> Re
         editor::start(Shaper::<3>::new(Rc::clone(passage)), manual, document)
     } else {
         editor::start(Shaper::<2>::new(Rc::clone(passage)), MANUAL, document)
-    }
-}
-
-async fn run(machine: &mut Machine, first: Start, mut in_space: bool, passage: Rc<Passage>) -> Asked<()> {
-    let mut next = first;
-    loop {
-        next(machine).await?;
-        let Some(document) = passage.take() else { return Ok(()) };
-        in_space = !in_space;
-        // The document has been read before.
-        let Ok(page) = page(in_space, &passage, document) else { return Ok(()) };
-        next = page;
     }
 }
 

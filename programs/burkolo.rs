@@ -14,9 +14,8 @@ mod value;
 
 use super::groups;
 use crate::editor;
-use crate::editor::passage::Passage;
+use crate::editor::passage::{self, Passage};
 use crate::file::{Document, Format};
-use crate::machine::{Asked, Machine};
 use crate::ui::{CommandLine, Demo, Manual, Phrase, Program, Start, Words};
 use craft::Skinner;
 use space::Strings;
@@ -51,9 +50,7 @@ pub const PROGRAM: Program = Program {
 /// Prepares the page that a document belongs to; F5 goes to the other one.
 fn start(document: Option<Document>) -> Result<Start, Phrase> {
     let in_space = matches!(document, Some(Document::Spheres(_)));
-    let passage = Rc::new(Passage::default());
-    let first = page(in_space, &passage, document)?;
-    Ok(Box::new(move |machine| Box::pin(run(machine, first, in_space, passage))))
+    passage::start(in_space, document, page)
 }
 
 fn page(in_space: bool, passage: &Rc<Passage>, document: Option<Document>) -> Result<Start, Phrase> {
@@ -62,17 +59,5 @@ fn page(in_space: bool, passage: &Rc<Passage>, document: Option<Document>) -> Re
         editor::start(Strings::new(Rc::clone(passage)), manual, document)
     } else {
         editor::start(Skinner::new(Rc::clone(passage)), MANUAL, document)
-    }
-}
-
-async fn run(machine: &mut Machine, first: Start, mut in_space: bool, passage: Rc<Passage>) -> Asked<()> {
-    let mut next = first;
-    loop {
-        next(machine).await?;
-        let Some(document) = passage.take() else { return Ok(()) };
-        in_space = !in_space;
-        // The document has been read before, or made of one that was.
-        let Ok(page) = page(in_space, &passage, document) else { return Ok(()) };
-        next = page;
     }
 }

@@ -18,10 +18,10 @@ mod through;
 
 use super::groups;
 use crate::editor;
+use crate::editor::passage::{self, Passage};
 use crate::file::{Document, Format};
-use crate::machine::{Asked, Key, Machine};
+use crate::machine::Key;
 use crate::ui::{CommandLine, Demo, Manual, Phrase, Program, Start, Words};
-use std::cell::Cell;
 use std::rc::Rc;
 
 const MANUAL: Manual = Manual {
@@ -53,35 +53,14 @@ pub const PROGRAM: Program = Program {
 /// Prepares the page that a document belongs to; F5 goes to the other one.
 fn start(document: Option<Document>) -> Result<Start, Phrase> {
     let surfaces = matches!(document, Some(Document::KnotNet(_)));
-    let elsewhere = Rc::new(Cell::new(false));
-    let first = page(surfaces, &elsewhere, document)?;
-    Ok(Box::new(move |machine| Box::pin(run(machine, first, surfaces, elsewhere))))
+    passage::start(surfaces, document, page)
 }
 
-fn page(surfaces: bool, elsewhere: &Rc<Cell<bool>>, document: Option<Document>) -> Result<Start, Phrase> {
-    let other = Rc::clone(elsewhere);
+fn page(surfaces: bool, passage: &Rc<Passage>, document: Option<Document>) -> Result<Start, Phrase> {
+    let other = Rc::clone(passage);
     if surfaces {
         let manual = Manual { keys: surface::KEYS, ..MANUAL };
         return editor::start(surface::Nets::new(other), manual, document);
     }
     editor::start(bench::Bench::new(other), MANUAL, document)
-}
-
-async fn run(
-    machine: &mut Machine,
-    first: Start,
-    mut surfaces: bool,
-    elsewhere: Rc<Cell<bool>>,
-) -> Asked<()> {
-    let mut next = first;
-    loop {
-        next(machine).await?;
-        if !elsewhere.replace(false) {
-            return Ok(());
-        }
-        surfaces = !surfaces;
-        // Without a document there is nothing that could be refused.
-        let Ok(page) = page(surfaces, &elsewhere, None) else { return Ok(()) };
-        next = page;
-    }
 }

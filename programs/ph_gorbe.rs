@@ -19,12 +19,11 @@ mod unit;
 
 use super::groups;
 use crate::editor::curve;
+use crate::editor::passage::{self, Passage};
 use crate::file::{Document, Format};
 use crate::geometry::Point;
-use crate::machine::{Asked, Machine};
 use crate::screen::{Screen, Stroke};
 use crate::ui::{CommandLine, Demo, Manual, Phrase, Program, Start, Words};
-use std::cell::Cell;
 use std::rc::Rc;
 
 const MANUAL: Manual = Manual {
@@ -62,37 +61,16 @@ fn start(document: Option<Document>) -> Result<Start, Phrase> {
     if !matches!(document, None | Some(Document::PlanePoints(_) | Document::SpacePoints(_))) {
         return Err(texts::NO_FILE.into());
     }
-    let elsewhere = Rc::new(Cell::new(false));
-    let first = page(in_space, &elsewhere, document)?;
-    Ok(Box::new(move |machine| Box::pin(run(machine, first, in_space, elsewhere))))
+    passage::start(in_space, document, page)
 }
 
-fn page(in_space: bool, elsewhere: &Rc<Cell<bool>>, document: Option<Document>) -> Result<Start, Phrase> {
-    let other = Rc::clone(elsewhere);
+fn page(in_space: bool, passage: &Rc<Passage>, document: Option<Document>) -> Result<Start, Phrase> {
+    let other = Rc::clone(passage);
     if in_space {
         let manual = Manual { keys: table::SPACE_KEYS, ..MANUAL };
         curve::space_with(manual, Box::new(space::Space::new(other)), document)
     } else {
         curve::plane_with(MANUAL, Box::new(plane::Plane::new(other)), document)
-    }
-}
-
-async fn run(
-    machine: &mut Machine,
-    first: Start,
-    mut in_space: bool,
-    elsewhere: Rc<Cell<bool>>,
-) -> Asked<()> {
-    let mut next = first;
-    loop {
-        next(machine).await?;
-        if !elsewhere.replace(false) {
-            return Ok(());
-        }
-        in_space = !in_space;
-        // Without a document there is nothing that could be refused.
-        let Ok(page) = page(in_space, &elsewhere, None) else { return Ok(()) };
-        next = page;
     }
 }
 

@@ -68,7 +68,7 @@ impl Editor<Bench, 2> {
                 if self.history.unsaved() {
                     offer_to_save(self, desk).await?;
                 }
-                self.craft.elsewhere.set(true);
+                self.craft.passage.lead(None);
                 return Ok(Next::End);
             }
         }

@@ -10,6 +10,7 @@ use super::{model, texts};
 use crate::design::knots::edit;
 use crate::editor::field::on_disc;
 use crate::editor::lens::{Held, Lens};
+use crate::editor::passage::Passage;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::stage::Stage;
@@ -22,7 +23,6 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Commands, Desk, Hint, Question, Stay};
 use crate::work::Next;
 use serde::Serialize;
-use std::cell::Cell;
 use std::rc::Rc;
 
 /// How far from the curve a click is on it, in pixels.
@@ -60,7 +60,7 @@ pub(super) struct Bench {
     cache: Cache,
     pub(super) region: Known,
     /// Set where the page of surfaces is wanted.
-    pub(super) elsewhere: Rc<Cell<bool>>,
+    pub(super) passage: Rc<Passage>,
 }
 
 /// What the mouse can hold.
@@ -93,7 +93,7 @@ impl Handle {
 }
 
 impl Bench {
-    pub(super) fn new(elsewhere: Rc<Cell<bool>>) -> Bench {
+    pub(super) fn new(passage: Rc<Passage>) -> Bench {
         let options = Options {
             paths: false,
             envelope: false,
@@ -113,7 +113,7 @@ impl Bench {
             mouse: Mouse::default(),
             cache: Cache::default(),
             region: Known::default(),
-            elsewhere,
+            passage,
         }
     }
 }

@@ -12,6 +12,7 @@ use super::texts;
 use crate::design::knots::edit;
 use crate::design::nets;
 use crate::editor::lens::Held;
+use crate::editor::passage::Passage;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
 use crate::editor::stage::Stage;
@@ -25,7 +26,6 @@ use crate::ui::words::Phrase;
 use crate::ui::{Commands, Desk, Hint};
 use crate::work::Next;
 use serde::Serialize;
-use std::cell::Cell;
 use std::rc::Rc;
 use table::{Action, COMMANDS};
 use view::{Beside, RAILS};
@@ -45,7 +45,7 @@ pub(super) struct Nets {
     /// The chosen knot: its direction and index.
     knot: Option<(usize, usize)>,
     /// Set where the page of curves is wanted.
-    elsewhere: Rc<Cell<bool>>,
+    passage: Rc<Passage>,
 }
 
 /// What the mouse can hold.
@@ -72,8 +72,8 @@ impl Handle {
 }
 
 impl Nets {
-    pub(super) fn new(elsewhere: Rc<Cell<bool>>) -> Nets {
-        Nets { envelope: true, at: [None; 2], knot: None, elsewhere }
+    pub(super) fn new(passage: Rc<Passage>) -> Nets {
+        Nets { envelope: true, at: [None; 2], knot: None, passage }
     }
 }
 

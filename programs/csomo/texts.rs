@@ -29,8 +29,8 @@ pub(super) const IN_SPACE: Words = Words(
     "CSOMO edits curves of the plane; this one is in space.",
 );
 pub(super) const WRONG_FILE: Words = Words(
-    "A CSOMO csomókkal leírt görbét nyit meg: CSM, vagy pontokat: IP2, CSV.",
-    "CSOMO opens a curve by its knots: CSM, or points: IP2, CSV.",
+    "A CSOMO csomókkal leírt görbét nyit meg: .CSM, .CSF, vagy pontokat: .IP2, .CSV.",
+    "CSOMO opens a curve or surface by its knots: .CSM, .CSF, or points: .IP2, .CSV.",
 );
 pub(super) const SHRUNK: Words = Words(
     "A pontok a mező fölé értek, ezért arányosan kicsinyítve jelennek meg; a görbe köbös.",

@@ -5,12 +5,12 @@ use super::table::{Own, PLANE};
 use super::{comb, compare, distance, formula, recipe, solutions, speed, status, texts, travel, unit};
 use crate::design::{DesignError, Sketch};
 use crate::editor::curve::layer::{Action, Canvas, Doing, Layer, Map, Part, Scene, Trace, Turn};
+use crate::editor::passage::Passage;
 use crate::file::{Format, Method};
 use crate::geometry::Point;
 use crate::machine::{Event, Key, Tick};
 use crate::ui::{Commands, Desk, Hint, Picture};
 use serde_json::{Value, json};
-use std::cell::Cell;
 use std::rc::Rc;
 
 /// What the user has chosen to see. It belongs to the view, not to the file.
@@ -74,12 +74,12 @@ pub(super) struct Plane {
     /// Where the mouse is.
     mouse: Option<(i32, i32)>,
     /// Set where the page of space is wanted.
-    elsewhere: Rc<Cell<bool>>,
+    passage: Rc<Passage>,
 }
 
 impl Plane {
-    pub(super) fn new(elsewhere: Rc<Cell<bool>>) -> Plane {
-        Plane { options: Options::default(), cache: Rc::default(), mouse: None, elsewhere }
+    pub(super) fn new(passage: Rc<Passage>) -> Plane {
+        Plane { options: Options::default(), cache: Rc::default(), mouse: None, passage }
     }
 
     /// The options while the offset is dragged.
@@ -233,7 +233,7 @@ impl Layer<2> for Plane {
     }
 
     fn left(&self) {
-        self.elsewhere.set(true);
+        self.passage.lead(None);
     }
 
     fn obey<'a>(

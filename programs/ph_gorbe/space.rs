@@ -5,6 +5,7 @@ use super::table::{Own, SPACE};
 use super::texts;
 use crate::design::Sketch;
 use crate::editor::curve::layer::{Action, Canvas, Doing, Layer, Map, Part, Scene, Trace, Turn};
+use crate::editor::passage::Passage;
 use crate::figure::wrap;
 use crate::file::{Format, Method};
 use crate::geometry::ParamCurve;
@@ -14,7 +15,6 @@ use crate::machine::{Key, Tick};
 use crate::screen::Color;
 use crate::ui::{Area, Caption, Commands, Desk, Field, Form, Hint, Number, Picture, TOP, Words};
 use serde_json::{Value, json};
-use std::cell::Cell;
 use std::rc::Rc;
 
 /// The moving frames that can be shown.
@@ -64,12 +64,12 @@ pub(super) struct Space {
     frame: Option<Frame>,
     radius: Option<f64>,
     /// Set where the page of the plane is wanted.
-    elsewhere: Rc<Cell<bool>>,
+    passage: Rc<Passage>,
 }
 
 impl Space {
-    pub(super) fn new(elsewhere: Rc<Cell<bool>>) -> Space {
-        Space { frame: Some(Frame::RotationMinimising), radius: None, elsewhere }
+    pub(super) fn new(passage: Rc<Passage>) -> Space {
+        Space { frame: Some(Frame::RotationMinimising), radius: None, passage }
     }
 
     fn curve(scene: &Scene<3>) -> Option<SpacePhCurve> {
@@ -173,7 +173,7 @@ impl Layer<3> for Space {
     }
 
     fn left(&self) {
-        self.elsewhere.set(true);
+        self.passage.lead(None);
     }
 
     fn obey<'a>(

@@ -1,7 +1,42 @@
-//! The way between the page of the plane and that of space, in programs that have both.
+//! The way between the two pages of a program, such as that of the plane and that of space.
 
 use crate::file::Document;
+use crate::machine::{Asked, Machine};
+use crate::ui::Start;
+use crate::ui::words::Phrase;
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+/// Prepares the first page of a program, or the second, with or without a document.
+pub(crate) type Page = fn(second: bool, &Rc<Passage>, Option<Document>) -> Result<Start, Phrase>;
+
+/// Prepares a program of two pages, which begins with the one that the document belongs to.
+///
+/// # Errors
+/// Why that page cannot open the document.
+pub(crate) fn start(second: bool, document: Option<Document>, page: Page) -> Result<Start, Phrase> {
+    let passage = Rc::new(Passage::default());
+    let first = page(second, &passage, document)?;
+    Ok(Box::new(move |machine| Box::pin(run(machine, first, second, passage, page))))
+}
+
+async fn run(
+    machine: &mut Machine,
+    first: Start,
+    mut second: bool,
+    passage: Rc<Passage>,
+    page: Page,
+) -> Asked<()> {
+    let mut next = first;
+    loop {
+        next(machine).await?;
+        let Some(document) = passage.take() else { return Ok(()) };
+        second = !second;
+        // A document that a page leads to has been read before, or made of one that was.
+        let Ok(page) = page(second, &passage, document) else { return Ok(()) };
+        next = page;
+    }
+}
 
 /// What one page leaves for the other.
 #[derive(Debug, Default)]

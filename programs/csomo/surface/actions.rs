@@ -26,7 +26,7 @@ impl Editor<Nets, 3> {
                 if self.history.unsaved() {
                     offer_to_save(self, desk).await?;
                 }
-                self.craft.elsewhere.set(true);
+                self.craft.passage.lead(None);
                 return Ok(Next::End);
             }
         }
