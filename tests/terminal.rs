@@ -79,9 +79,15 @@ fn block_characters_from_start_to_end() {
         parser.screen().cell(row, column).is_some_and(|cell| cell.bgcolor() == color)
     });
 
-    terminal.resize(60, 20);
-    terminal.wait("the message on the size", |terminal| terminal.shows("60x20") && terminal.shows("80x30"));
+    terminal.resize(59, 20);
+    terminal.wait("the message on the size", |terminal| terminal.shows("59x20") && terminal.shows("60x20"));
     assert!(!terminal.shows(program::TITLE));
+    // Esc goes back, but the program asks first.
+    terminal.send("\x1b");
+    terminal.wait_for("question before the end");
+    terminal.resize(60, 20);
+    terminal.wait_for(program::QUESTION);
+    terminal.send("n");
     terminal.resize(120, 45);
     terminal.wait_for(program::TITLE);
     terminal.resize(80, 30);

@@ -14,10 +14,11 @@ const TITLE: Words = Words(
 const LIST: Words = Words("Programok", "Programs");
 
 /// The keys of the last line.
-const KEYS: [(Key, Words, Words); 4] = [
+const KEYS: [(Key, Words, Words); 5] = [
     (Key::Enter, Words("Enter", "Enter"), Words("indítás", "start")),
     (Key::Down, Words("A-Z", "A-Z"), Words("keresés", "search")),
     (Key::F(2), Words("F2", "F2"), Words("English", "magyar")),
+    (Key::Ctrl('Z'), Words("Ctrl+Z", "Ctrl+Z"), Words("szünet", "pause")),
     (Key::Esc, Words("Esc", "Esc"), Words("kilépés", "quit")),
 ];
 

@@ -27,6 +27,7 @@ mod bests;
 mod event;
 mod files;
 mod film;
+mod pointing;
 mod port;
 mod preferences;
 mod record;
@@ -40,8 +41,9 @@ mod storage;
 pub use bests::{Best, Bests};
 pub use event::{Button, Event, Key, Modifier, Mouse, Tick};
 pub use files::{Files, Standing};
+pub use pointing::{POINTER_KEYS, PointerKey, Pointing};
 pub use port::Wait;
-pub use preferences::{Cloth, Keeper, Look, PointerSpeed, Preference, Preferences, Shown};
+pub use preferences::{Cloth, Glyphs, Keeper, Look, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
 pub use samples::{SAMPLES, sample};
@@ -96,16 +98,6 @@ impl Language {
             Language::English => Language::Hungarian,
         }
     }
-}
-
-/// What moves the pointer where a program is shown, for hints that name it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Pointing {
-    /// A mouse or the like.
-    #[default]
-    Mouse,
-    /// Keys that the display keeps for it: Ctrl with the arrows moves it, Ctrl+Space presses and releases its button.
-    Keys,
 }
 
 /// How a program behaves.

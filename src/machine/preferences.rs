@@ -23,6 +23,9 @@ pub struct Preferences {
     pub cloth: Cloth,
     /// How many letters Ctrl with an arrow key moves the mouse in the terminal, 1 to 8.
     pub pointer_speed: PointerSpeed,
+    /// Which characters draw the picture in a terminal without graphics; without a choice, those that the terminal is
+    /// known to have.
+    pub glyphs: Option<Glyphs>,
     /// The folder of programs that were started without a file.
     pub folder: Option<String>,
 }
@@ -38,6 +41,7 @@ impl Default for Preferences {
             palette: Palette::default(),
             cloth: Cloth::default(),
             pointer_speed: PointerSpeed::default(),
+            glyphs: None,
             folder: None,
         }
     }
@@ -112,6 +116,40 @@ impl Cloth {
     }
 }
 
+/// The characters that draw the picture in a terminal, each set with those before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Glyphs {
+    /// Those of a typewriter, for letters too.
+    Ascii,
+    /// Lines, halves and quarters, eighths, and the dots of Braille: what most fonts have.
+    Blocks,
+    /// Sextants and wedges, added in Unicode 13.
+    Unicode13,
+    /// Octants, added in Unicode 16.
+    Unicode16,
+}
+
+impl Glyphs {
+    const ALL: [Glyphs; 4] = [Glyphs::Ascii, Glyphs::Blocks, Glyphs::Unicode13, Glyphs::Unicode16];
+
+    /// The name of the set as a setting.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Glyphs::Ascii => "ascii",
+            Glyphs::Blocks => "blocks",
+            Glyphs::Unicode13 => "unicode13",
+            Glyphs::Unicode16 => "unicode16",
+        }
+    }
+
+    /// The set of a name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Glyphs> {
+        Glyphs::ALL.into_iter().find(|glyphs| glyphs.name() == name)
+    }
+}
+
 /// How far a key moves the mouse, in letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PointerSpeed(u8);
@@ -142,6 +180,7 @@ pub enum Preference {
     Palette,
     Cloth,
     PointerSpeed,
+    Glyphs,
     Folder,
 }
 
@@ -149,6 +188,8 @@ pub enum Preference {
 const AUTO: &str = "auto";
 const SCALES: [&str; 9] = [AUTO, "1", "2", "3", "4", "5", "6", "7", "8"];
 const SPEEDS: [&str; 5] = ["1", "2", "3", "4", "8"];
+const GLYPHS: [&str; 5] =
+    [AUTO, Glyphs::Ascii.name(), Glyphs::Blocks.name(), Glyphs::Unicode13.name(), Glyphs::Unicode16.name()];
 const LANGUAGES: [&str; 3] = [AUTO, "hu", "en"];
 const DISPLAYS: [&str; 3] = [AUTO, "window", "terminal"];
 const MANNERS: [&str; 2] = [Manner::Today.name(), Manner::Original.name()];
@@ -164,7 +205,7 @@ const PALETTES: [&str; 5] = [
 
 impl Preference {
     /// Everything, in the order of the settings page.
-    pub const ALL: [Preference; 9] = [
+    pub const ALL: [Preference; 10] = [
         Preference::Language,
         Preference::Display,
         Preference::Scale,
@@ -173,6 +214,7 @@ impl Preference {
         Preference::Palette,
         Preference::Cloth,
         Preference::PointerSpeed,
+        Preference::Glyphs,
         Preference::Folder,
     ];
 
@@ -188,6 +230,7 @@ impl Preference {
             Preference::Palette => "palette",
             Preference::Cloth => "cloth",
             Preference::PointerSpeed => "pointer_speed",
+            Preference::Glyphs => "glyphs",
             Preference::Folder => "folder",
         }
     }
@@ -210,6 +253,7 @@ impl Preference {
             Preference::Palette => &PALETTES,
             Preference::Cloth => &CLOTHS,
             Preference::PointerSpeed => &SPEEDS,
+            Preference::Glyphs => &GLYPHS,
             Preference::Folder => &[],
         }
     }
@@ -233,6 +277,7 @@ impl Preferences {
             Preference::Palette => self.palette.name().to_string(),
             Preference::Cloth => self.cloth.name().to_string(),
             Preference::PointerSpeed => self.pointer_speed.0.to_string(),
+            Preference::Glyphs => self.glyphs.map_or(AUTO, Glyphs::name).to_string(),
             Preference::Folder => self.folder.clone().unwrap_or_default(),
         }
     }
@@ -269,6 +314,8 @@ impl Preferences {
             Preference::Palette => self.palette = Palette::from_name(value).ok_or_else(wrong)?,
             Preference::Cloth => self.cloth = Cloth::from_name(value).ok_or_else(wrong)?,
             Preference::PointerSpeed => self.pointer_speed = PointerSpeed(number(8)? as u8),
+            Preference::Glyphs if value == AUTO => self.glyphs = None,
+            Preference::Glyphs => self.glyphs = Some(Glyphs::from_name(value).ok_or_else(wrong)?),
             Preference::Folder => self.folder = Some(value.to_string()).filter(|folder| !folder.is_empty()),
         }
         Ok(())

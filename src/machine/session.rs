@@ -6,7 +6,9 @@
 use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
-use super::{Asked, Language, Look, Machine, Manner, Pointer, PointerSpeed, Pointing, Stop, StorageError};
+use super::{
+    Asked, Glyphs, Language, Look, Machine, Manner, Pointer, PointerSpeed, Pointing, Stop, StorageError,
+};
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH, visible};
 use std::cell::{Ref, RefCell};
 use std::future::Future;
@@ -148,6 +150,11 @@ impl Session {
     /// How a window is to show the picture.
     pub fn look(&self) -> Look {
         self.port.borrow().preferences.look
+    }
+
+    /// The characters that draw the picture in a terminal, if they were chosen.
+    pub fn glyphs(&self) -> Option<Glyphs> {
+        self.port.borrow().preferences.glyphs
     }
 
     /// How far keys move the mouse.

@@ -1,14 +1,9 @@
-//! Letters of 8x8 pixels from the VGA's ROM, and the journal of the letters that stand on the screen.
-//!
-//! The screen is pixels and nothing else; but a display in a terminal shows texts better as letters
-//! than as blocks. So every letter drawn is noted down, and [`Screen::letters`] gives those back
-//! whose pixels nobody has touched since.
+//! Letters of 8x8 pixels from the VGA's ROM.
 
 use super::{Color, HEIGHT, Screen, WIDTH};
-use std::collections::BTreeMap;
 
 /// Width and height of a letter in pixels.
-const SIZE: i32 = 8;
+pub(super) const SIZE: i32 = 8;
 
 /// The letters with a Unicode table (PSF version 1, mode with 512 glyphs and a table); see
 /// `fonts/README.md`.
@@ -122,39 +117,6 @@ fn redrawn(ch: char) -> Option<[u8; 8]> {
     }
 }
 
-/// A letter on the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Letter {
-    /// Left edge of the letter's 8x8 pixels.
-    pub x: i32,
-    /// Upper edge of the letter's 8x8 pixels.
-    pub y: i32,
-    /// The character.
-    pub ch: char,
-    /// Colour of its pixels.
-    pub color: Color,
-}
-
-/// The letters drawn, by row and column; a letter in the same place takes the place of the former.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Journal {
-    letters: BTreeMap<(i32, i32), (char, Color)>,
-}
-
-/// A journal longer than this is pruned of overwritten letters. More than any screen holds:
-/// 80x60 letters stand side by side.
-const JOURNAL_LIMIT: usize = 10_000;
-
-impl Journal {
-    pub(super) fn clear(&mut self) {
-        self.letters.clear();
-    }
-
-    fn iter(&self) -> impl Iterator<Item = Letter> {
-        self.letters.iter().map(|(&(y, x), &(ch, color))| Letter { x, y, ch, color })
-    }
-}
-
 impl Screen {
     /// Writes a text of 8x8 letters in one line from (x, y), the top left of the first letter. The
     /// background stays as it is. A character without a letter is written as a box.
@@ -162,20 +124,22 @@ impl Screen {
         let mut left = x;
         for ch in text.chars() {
             if left >= WIDTH {
-                return;
+                break;
             }
-            self.letter(Letter { x: left, y, ch, color });
+            self.letter((left, y), ch, color);
             left = left.saturating_add(SIZE);
+        }
+        self.journal.note((x, y), text, color);
+        if self.journal.is_long() {
+            self.prune();
         }
     }
 
-    fn letter(&mut self, letter: Letter) {
-        let Letter { x, y, ch, color } = letter;
+    fn letter(&mut self, (x, y): (i32, i32), ch: char, color: Color) {
         if x <= -SIZE || x >= WIDTH || y <= -SIZE || y >= HEIGHT {
             return;
         }
-        let known = glyph(ch);
-        let rows = known.unwrap_or(UNKNOWN);
+        let rows = glyph(ch).unwrap_or(UNKNOWN);
         for (row, bits) in (y..).zip(rows) {
             for (column, bit) in (x..).zip([0x80, 0x40, 0x20, 0x10, 8, 4, 2, 1]) {
                 if bits & bit != 0 {
@@ -183,39 +147,15 @@ impl Screen {
                 }
             }
         }
-        let whole = (0..=WIDTH - SIZE).contains(&x) && (0..=HEIGHT - SIZE).contains(&y);
-        // A box is no text; a terminal might obey the character that it stands for, or give it two cells.
-        if whole && known.is_some() && rows != [0; 8] && !ch.is_control() {
-            self.journal.letters.insert((y, x), (ch, color));
-            if self.journal.letters.len() > JOURNAL_LIMIT {
-                self.prune();
-            }
-        }
-    }
-
-    /// Forgets the letters that are gone. Should a screen full of overlapping specks still be left,
-    /// forgets all, so that the next pruning is far away.
-    fn prune(&mut self) {
-        let mut journal = std::mem::take(&mut self.journal);
-        journal.letters.retain(|&(y, x), &mut (ch, color)| self.shows(Letter { x, y, ch, color }));
-        if journal.letters.len() <= JOURNAL_LIMIT / 2 {
-            self.journal = journal;
-        }
-    }
-
-    /// The letters written by [`Screen::text`] that still stand on the screen untouched, row by row.
-    /// Blanks and letters cut by the edge of the screen are not among them.
-    pub fn letters(&self) -> impl Iterator<Item = Letter> {
-        self.journal.iter().filter(|&letter| self.shows(letter))
     }
 
     /// Whether the pixels of a letter have its colour and the pixels between have not.
-    fn shows(&self, letter: Letter) -> bool {
-        let rows = glyph(letter.ch).unwrap_or(UNKNOWN);
-        (letter.y..).zip(rows).all(|(y, bits)| {
-            (letter.x..letter.x + SIZE)
+    pub(super) fn shows(&self, (x, y): (i32, i32), ch: char, color: Color) -> bool {
+        let rows = glyph(ch).unwrap_or(UNKNOWN);
+        (y..).zip(rows).all(|(y, bits)| {
+            (x..x + SIZE)
                 .zip([0x80, 0x40, 0x20, 0x10, 8, 4, 2, 1])
-                .all(|(x, bit)| (self.pixel(x, y) == Some(letter.color)) == (bits & bit != 0))
+                .all(|(x, bit)| (self.pixel(x, y) == Some(color)) == (bits & bit != 0))
         })
     }
 }
@@ -278,53 +218,6 @@ mod tests {
         FFFFFFF..FF.FF..FF.FF.FF.FFFFFF.
         ................................";
 
-    fn shown(screen: &Screen) -> String {
-        screen.letters().map(|letter| letter.ch).collect()
-    }
-
-    #[test]
-    fn untouched_letters_are_reported_in_reading_order() {
-        let mut screen = Screen::new();
-        screen.text(50, 40, "second", Color::Red);
-        screen.text(300, 20, "the first", Color::White);
-        assert_eq!(shown(&screen), "thefirstsecond");
-        let first = screen.letters().next();
-        assert_eq!(first, Some(Letter { x: 300, y: 20, ch: 't', color: Color::White }));
-    }
-
-    #[test]
-    fn touched_letters_are_gone() {
-        let mut screen = Screen::new();
-        screen.text(0, 0, "abcd", Color::White);
-        screen.bar(8, 0, 15, 7, Color::Black);
-        screen.bar(24, 0, 31, 7, Color::White);
-        assert_eq!(shown(&screen), "ac");
-        screen.text(0, 0, "x", Color::White);
-        assert_eq!(shown(&screen), "c");
-        screen.clear(Color::Blue);
-        assert_eq!(shown(&screen), "");
-    }
-
-    #[test]
-    fn letters_written_again_are_reported_once() {
-        let mut screen = Screen::new();
-        for round in 0..5000 {
-            screen.bar(0, 0, 639, 100, Color::Cyan);
-            screen.text(round % 200, 3, "Again", Color::Black);
-        }
-        assert_eq!(shown(&screen), "Again");
-        assert!(screen.journal.letters.len() <= JOURNAL_LIMIT);
-    }
-
-    #[test]
-    fn journal_is_bounded_even_when_all_letters_stand() {
-        let mut screen = Screen::new();
-        for (x, y) in (0..630).step_by(3).flat_map(|x| (0..470).step_by(3).map(move |y| (x, y))) {
-            screen.text(x, y, ".", Color::from_index(((x + y) % 16) as u8));
-        }
-        assert!(screen.journal.letters.len() <= JOURNAL_LIMIT);
-    }
-
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
         #[test]
@@ -332,8 +225,8 @@ mod tests {
             let mut screen = Screen::new();
             screen.text(x, y, &text, Color::White);
             screen.text(x % 700, y % 500, &text, Color::White);
-            for letter in screen.letters() {
-                prop_assert!(text.contains(letter.ch));
+            for shown in screen.texts() {
+                prop_assert!(shown.letters.iter().all(|&(ch, _)| ch == ' ' || text.contains(ch)));
             }
         }
     }

@@ -24,15 +24,17 @@ mod line;
 mod palette;
 mod pointer;
 mod polygon;
+mod texts;
 mod title;
 mod visible;
 
 pub use bitmap::{Bitmap, Put};
 pub use color::Color;
-pub use letters::{Letter, glyph};
+pub use letters::glyph;
 pub use line::{Pattern, Stroke, Width};
 pub use palette::Palette;
 pub use pointer::Masks;
+pub use texts::Text;
 pub use title::{Direction, title_size};
 pub use visible::visible;
 
@@ -52,7 +54,7 @@ const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 #[derive(Clone)]
 pub struct Screen {
     pixels: Box<[u8]>,
-    journal: letters::Journal,
+    journal: texts::Journal,
 }
 
 impl Screen {
@@ -61,7 +63,7 @@ impl Screen {
     pub fn new() -> Screen {
         Screen {
             pixels: vec![Color::Black.index(); PIXELS].into_boxed_slice(),
-            journal: letters::Journal::default(),
+            journal: texts::Journal::default(),
         }
     }
 

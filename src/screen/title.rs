@@ -211,6 +211,9 @@ impl Screen {
             }
             pen += glyph.advance();
         }
+        if direction == Direction::Horizontal {
+            self.note_title((x, y), title_size(text, size), text, color);
+        }
     }
 }
 

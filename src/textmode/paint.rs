@@ -129,7 +129,7 @@ mod tests {
         // The left line of the list's frame has no gaps.
         let line = |y| (0..8).filter(|&x| screen.pixel(x, y) == Some(Color::LightGray)).count();
         assert!((40..440).all(|y| line(y) >= 2));
-        let text: String = screen.letters().map(|letter| letter.ch).filter(|ch| *ch != ' ').collect();
+        let text: String = screen.texts().iter().map(|text| text.string().replace(' ', "")).collect();
         assert!(text.contains("TITLE") && text.contains("marked1"), "{text}");
         assert_eq!((COLUMNS, ROWS), (80, 30));
     }

@@ -1,14 +1,14 @@
 //! The desk a program works at: the machine, the keys common to all programs, and the help page.
 
 use super::hint::Hint;
-use super::lesson::{self, Lesson};
+use super::lesson::Lesson;
 use super::notice::{MESSAGE_TIME, Notice, Stay};
-use super::words::{self, Phrase, Words};
-use crate::figure::{Figure, wrap};
+use super::words::{Phrase, Words};
+use crate::figure::Figure;
 use crate::file::Document;
 use crate::geometry::ParamSurface;
 use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Preference, Preferences, Tick};
-use crate::screen::{Color, HEIGHT, Screen, WIDTH};
+use crate::screen::Screen;
 use std::pin::Pin;
 use std::time::Duration;
 
@@ -213,7 +213,7 @@ impl<'m> Desk<'m> {
 
     /// The keys that change a preference, now and at the next start: F2 the language, Ctrl+F11 the look of the window.
     /// Whether the key was one of them.
-    fn turns_preference(&mut self, key: Key) -> bool {
+    pub(super) fn turns_preference(&mut self, key: Key) -> bool {
         match key {
             Key::F(2) => {
                 let kept = self.machine.prefer_other_language();
@@ -326,132 +326,5 @@ impl<'m> Desk<'m> {
         self.aside = false;
         self.away += self.machine.now().saturating_sub(begun);
         ended
-    }
-
-    /// Shows the program's keys until a key or click.
-    async fn read_help(&mut self) -> Asked<()> {
-        loop {
-            let language = self.machine.language();
-            help_page(self.machine.screen(), &self.manual, language);
-            self.film_screen();
-            let tick = self.machine.event().await?;
-            match tick.key() {
-                Some(key) if self.turns_preference(key) => {}
-                Some(Key::CtrlF(12)) => {
-                    self.switch_film();
-                    return Ok(());
-                }
-                Some(_) => return Ok(()),
-                None if tick.click().is_some() => return Ok(()),
-                None => {}
-            }
-        }
-    }
-}
-
-/// Keys common to all programs, listed after the program's own ones.
-const COMMON_KEYS: &[KeyHelp] = &[
-    (Words("F1", "F1"), words::HELP_HELP),
-    (Words("F2", "F2"), words::HELP_LANGUAGE),
-    (Words("F9", "F9"), words::HELP_SETTINGS),
-    (Words("F10", "F10"), words::HELP_FIGURE),
-    (Words("F11 Ctrl+F11", "F11 Ctrl+F11"), words::HELP_WINDOW_LOOK),
-    (Words("F12", "F12"), words::HELP_PICTURE),
-    (Words("Ctrl+F12", "Ctrl+F12"), words::HELP_FILM),
-    (Words("Esc", "Esc"), words::HELP_ESC),
-];
-
-/// Upper edge of the introduction on the help page.
-const INTRO_TOP: i32 = 68;
-/// Lines of the introduction at most.
-#[cfg(test)]
-const INTRO_LINES: usize = 4;
-/// Letters in a line of the introduction.
-const INTRO_LETTERS: usize = 70;
-
-/// Left edge of the help page's texts, and of what its keys do.
-const COLUMNS: [i32; 2] = [40, 176];
-
-/// A text of the help page: where its first letter stands, and its colour.
-type Placed = ((i32, i32), String, Color);
-
-/// The texts of the help page, and where the lesson begins.
-fn help_texts(manual: &Manual, language: Language) -> (Vec<Placed>, i32) {
-    let [left, right] = COLUMNS;
-    let mut texts = vec![
-        ((left, 36), manual.name.to_uppercase(), Color::Yellow),
-        ((left, 52), manual.about.of(language).to_owned(), Color::White),
-    ];
-    let mut y = INTRO_TOP;
-    let intro = wrap(manual.intro.of(language), INTRO_LETTERS);
-    for line in intro.into_iter().filter(|line| !line.is_empty()) {
-        texts.push(((left, y), line, Color::LightCyan));
-        y += 11;
-    }
-    y += 12;
-    // A program's own meaning of a key replaces the common one.
-    let own =
-        |key: &str| manual.keys.iter().any(|(keys, _)| keys.of(language).split(' ').any(|own| own == key));
-    let common = COMMON_KEYS.iter().filter(|(key, _)| !own(key.of(language)));
-    let lines: Vec<&KeyHelp> = manual.keys.iter().chain(common).collect();
-    let count = i32::try_from(lines.len()).unwrap_or(i32::MAX).max(1);
-    // Where there is much to say, the lines move together.
-    let room = HEIGHT - 48 - y - lesson::height(manual.lesson);
-    let line = (room / count).clamp(9, 16);
-    for (keys, what) in lines {
-        texts.push(((left, y), keys.of(language).to_owned(), Color::LightRed));
-        texts.push(((right, y), what.of(language).to_owned(), Color::White));
-        y += line;
-    }
-    texts.push(((left, HELP_LEAVE_TOP), words::HELP_LEAVE.of(language).to_owned(), Color::LightGray));
-    (texts, y + 8)
-}
-
-/// Where the last line of the help page stands.
-const HELP_LEAVE_TOP: i32 = HEIGHT - 40;
-
-fn help_page(screen: &mut Screen, manual: &Manual, language: Language) {
-    screen.clear(Color::LightCyan);
-    let inner = super::frame::Area::new(16, 16, WIDTH - 17, HEIGHT - 17);
-    screen.bar(inner.x1, inner.y1, inner.x2, inner.y2, Color::Black);
-    super::frame::sunken(screen, inner, 4);
-    let (texts, top) = help_texts(manual, language);
-    for ((x, y), text, color) in &texts {
-        screen.text(*x, *y, text, *color);
-    }
-    lesson::draw(screen, top, manual.lesson, language);
-}
-
-#[cfg(test)]
-impl Manual {
-    /// What does not fit on the help page in a language.
-    pub(crate) fn misfits(&self, language: Language) -> Vec<String> {
-        let [left, right] = COLUMNS;
-        // The frame's inner edge.
-        let edge = WIDTH - 17 - 4;
-        let (texts, top) = help_texts(self, language);
-        let width = |text: &str| 8 * i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 8);
-        let is_key = |color: &Color| *color == Color::LightRed;
-        let beyond = texts
-            .iter()
-            .filter(|((x, _), text, color)| x + width(text) > if is_key(color) { right } else { edge });
-        let mut misfits: Vec<String> = beyond.map(|(_, text, _)| text.clone()).collect();
-        let lines: Vec<i32> = texts.iter().filter(|text| is_key(&text.2)).map(|((_, y), ..)| *y).collect();
-        if lines.is_sorted_by(|above, below| above + 9 <= *below) && !lines.is_empty() {
-            // The lesson has its distance to the keys in its height.
-            let bottom = top - 8 + lesson::height(self.lesson);
-            misfits.extend((bottom > HELP_LEAVE_TOP - 8).then(|| format!("the page ends at {bottom}")));
-        } else {
-            misfits.push("the keys stand too close".to_owned());
-        }
-        let lesson = self.lesson.iter().filter_map(|piece| match piece {
-            Lesson::Line(words) => Some(words.of(language)),
-            _ => None,
-        });
-        misfits.extend(lesson.filter(|text| left + width(text) > edge).map(str::to_owned));
-        if wrap(self.intro.of(language), INTRO_LETTERS).len() > INTRO_LINES {
-            misfits.push(self.intro.of(language).to_owned());
-        }
-        misfits
     }
 }

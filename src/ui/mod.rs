@@ -11,6 +11,7 @@ mod desk;
 mod double_click;
 mod entry;
 mod frame;
+mod help;
 mod hint;
 mod lesson;
 pub(crate) mod look;

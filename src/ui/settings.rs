@@ -21,6 +21,7 @@ const fn name(preference: Preference) -> Words {
         Preference::Palette => Words("Színek", "Colours"),
         Preference::Cloth => Words("Biliárdposztó", "Billiard cloth"),
         Preference::PointerSpeed => Words("Egérlépés (karakter)", "Pointer step (characters)"),
+        Preference::Glyphs => Words("A terminál jelei", "Terminal characters"),
         Preference::Folder => Words("Fájlok mappája", "Folder for files"),
     }
 }
@@ -29,6 +30,10 @@ const fn name(preference: Preference) -> Words {
 fn shown(preference: Preference, value: &str, language: Language) -> String {
     let words = match (preference, value) {
         (Preference::Folder, "") => Words("az aktuális mappa", "the current folder"),
+        (Preference::Glyphs, "ascii") => Words("betűk (ASCII)", "Letters (ASCII)"),
+        (Preference::Glyphs, "blocks") => Words("negyedek, Braille", "Quarters, Braille"),
+        (Preference::Glyphs, "unicode13") => Words("hatodok, ékek", "Sextants, wedges"),
+        (Preference::Glyphs, "unicode16") => Words("nyolcadok", "Octants"),
         (_, "auto") => Words("automatikus", "Automatic"),
         (Preference::Cloth, "white") => Words("fehér", "White"),
         (Preference::Cloth, "green") => Words("zöld", "Green"),

@@ -150,6 +150,10 @@ pub(crate) const HELP_WINDOW_LOOK: Words =
 pub(crate) const HELP_PICTURE: Words = Words("a képernyő mentése PNG-be", "save the screen as PNG");
 pub(crate) const HELP_ESC: Words = Words("kérdés, beírás megszakítása", "cancel a question or an entry");
 pub(crate) const HELP_LEAVE: Words = Words("Vissza: bármely billentyű", "Any key: back");
+pub(crate) const HELP_TURN: Words =
+    Words("Tovább: bármely billentyű   Vissza: Esc", "Any key: next page   Esc: back");
+pub(crate) const HELP_POINTER: Words =
+    Words("Az egér billentyűkkel, a terminálban:", "The mouse by keys, in the terminal:");
 
 /// What is wrong with a stored file.
 pub(crate) fn storage_problem(error: &StorageError) -> Phrase {

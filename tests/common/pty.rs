@@ -10,11 +10,14 @@ pub(crate) const LAST_QUESTION: &[u8] = b"\x1b[c";
 /// The answer of a terminal without graphics.
 pub(crate) const PLAIN: &str = "\x1b[?62;c";
 
+/// The question where the cursor is, which says that a picture has arrived.
+const WHERE: &[u8] = b"\x1b[6n";
+
 /// A terminal with a program in it.
 pub(crate) struct Terminal {
     pub(crate) master: Box<dyn MasterPty + Send>,
     pub(crate) child: Box<dyn Child + Send + Sync>,
-    keyboard: Box<dyn Write + Send>,
+    keyboard: Arc<Mutex<Box<dyn Write + Send>>>,
     pub(crate) screen: Arc<Mutex<vt100::Parser>>,
     pub(crate) output: Arc<Mutex<Vec<u8>>>,
 }
@@ -33,15 +36,18 @@ impl Terminal {
         let mut reader = pair.master.try_clone_reader().unwrap();
         let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, columns, 0)));
         let output = Arc::new(Mutex::new(Vec::new()));
-        let (parser, log) = (Arc::clone(&screen), Arc::clone(&output));
+        let keyboard = Arc::new(Mutex::new(pair.master.take_writer().unwrap()));
+        let (parser, log, answers) = (Arc::clone(&screen), Arc::clone(&output), Arc::clone(&keyboard));
         std::thread::spawn(move || {
             let mut buffer = [0; 65536];
             while let Ok(length @ 1..) = reader.read(&mut buffer) {
                 log.lock().unwrap().extend_from_slice(&buffer[..length]);
                 parser.lock().unwrap().process(&buffer[..length]);
+                if buffer[..length].windows(WHERE.len()).any(|window| window == WHERE) {
+                    let _ = answers.lock().unwrap().write_all(b"\x1b[1;1R");
+                }
             }
         });
-        let keyboard = pair.master.take_writer().unwrap();
         Terminal { master: pair.master, child, keyboard, screen, output }
     }
 
@@ -53,8 +59,9 @@ impl Terminal {
     }
 
     pub(crate) fn send(&mut self, text: &str) {
-        self.keyboard.write_all(text.as_bytes()).unwrap();
-        self.keyboard.flush().unwrap();
+        let mut keyboard = self.keyboard.lock().unwrap();
+        keyboard.write_all(text.as_bytes()).unwrap();
+        keyboard.flush().unwrap();
     }
 
     pub(crate) fn resize(&mut self, columns: u16, rows: u16) {

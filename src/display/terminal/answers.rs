@@ -1,11 +1,13 @@
 //! What a terminal can do, by its own answers.
 
 use super::place::Extent;
+use crate::machine::Glyphs;
 
 /// Asks for everything at once; the last question is one that every terminal answers.
-/// Kitty's graphics, Kitty's keyboard, mouse in pixels, size of the text and of a cell, device attributes.
+/// Kitty's graphics, Kitty's keyboard, mouse in pixels, size of the text and of a cell, name and version, device
+/// attributes.
 pub(super) const QUESTIONS: &[u8] =
-    b"\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[?u\x1b[?1016$p\x1b[14t\x1b[16t\x1b[c";
+    b"\x1b_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\x1b\\\x1b[?u\x1b[?1016$p\x1b[14t\x1b[16t\x1b[>q\x1b[c";
 
 /// What a terminal answered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,9 +22,14 @@ pub(super) struct Answers {
     text: Option<(u16, u16)>,
     /// Height and width of a cell in pixels.
     cell: Option<(u16, u16)>,
+    /// It draws sextants and wedges itself, whatever its font has.
+    draws_sextants: bool,
     /// The last answer has come.
     pub(super) complete: bool,
 }
+
+/// The names of terminals that draw the characters of Unicode 13 themselves, as they tell them.
+const DRAW_SEXTANTS: [&str; 7] = ["kitty", "foot", "WezTerm", "ghostty", "contour", "VTE", "Konsole"];
 
 impl Answers {
     /// Reads whatever a terminal has sent; what is no answer (keys that were typed meanwhile) is skipped.
@@ -32,6 +39,8 @@ impl Answers {
         for sequence in text.split('\x1b').skip(1) {
             if let Some(graphics) = sequence.strip_prefix("_G") {
                 answers.kitty |= graphics.starts_with("i=31") && graphics.ends_with(";OK");
+            } else if let Some(name) = sequence.strip_prefix("P>|") {
+                answers.draws_sextants = DRAW_SEXTANTS.iter().any(|known| name.starts_with(known));
             } else if let Some(control) = sequence.strip_prefix('[') {
                 answers.control(control);
             }
@@ -62,6 +71,21 @@ impl Answers {
                 _ => {}
             },
             _ => {}
+        }
+    }
+
+    /// The characters that can be trusted: by its own name, by `TERM`, and by the encoding of the locale, as the
+    /// variables `LC_ALL`, `LC_CTYPE` and `LANG` name it.
+    pub(super) fn glyphs(&self, term: &str, locale: [&str; 3]) -> Glyphs {
+        let locale =
+            locale.into_iter().find(|locale| !locale.is_empty()).unwrap_or_default().to_ascii_lowercase();
+        let encoded = locale.contains("utf-8") || locale.contains("utf8");
+        if matches!(term, "linux" | "dumb") || term.starts_with("vt1") || !encoded && !cfg!(windows) {
+            Glyphs::Ascii
+        } else if self.draws_sextants {
+            Glyphs::Unicode13
+        } else {
+            Glyphs::Blocks
         }
     }
 
@@ -100,6 +124,21 @@ mod tests {
         assert!(foot.sixel && !foot.kitty && !foot.pixel_mouse);
         assert_eq!(foot.extent(100, 30, (0, 0)).cell, Some((10, 20)));
         assert_eq!(foot.extent(100, 30, (900, 540)).cell, Some((9, 18)));
+    }
+
+    #[test]
+    fn characters_by_name_and_locale() {
+        let foot = Answers::read(b"\x1bP>|foot(1.16.2)\x1b\\\x1b[?62;c");
+        let other = Answers::read(b"\x1bP>|XTerm(379)\x1b\\\x1b[?62;c");
+        let utf8 = ["", "", "hu_HU.UTF-8"];
+        assert_eq!(foot.glyphs("foot", utf8), Glyphs::Unicode13);
+        assert_eq!(other.glyphs("xterm-256color", utf8), Glyphs::Blocks);
+        assert_eq!(other.glyphs("linux", utf8), Glyphs::Ascii);
+        #[cfg(not(windows))]
+        for locale in [["", "", ""], ["C", "", "hu_HU.UTF-8"], ["", "POSIX", "en_US.UTF-8"]] {
+            assert_eq!(foot.glyphs("foot", locale), Glyphs::Ascii);
+        }
+        assert_eq!(other.glyphs("xterm", ["", "C.UTF-8", "C"]), Glyphs::Blocks);
     }
 
     #[test]

@@ -18,21 +18,16 @@ pub(super) fn kitty_delete() -> String {
     format!("\x1b_Ga=d,d=I,i={IMAGE},q=2\x1b\\")
 }
 
-/// Shows the picture at the cursor, in the place of the one shown before.
+/// Shows the picture at the cursor, in the place of the one shown before. The terminal gets 640x480 pixels and scales
+/// them, more smoothly than picking pixels would.
 ///
 /// # Errors
 /// The message of the PNG encoder.
 pub(super) fn kitty(picture: &Screen, palette: Palette, place: Place) -> Result<Vec<u8>, png::EncodingError> {
-    let reduced = place.width < WIDTH as usize;
-    // The terminal reduces more smoothly than picking pixels would.
-    let size = if reduced { (WIDTH as usize, HEIGHT as usize) } else { (place.width, place.height) };
-    let text = STANDARD.encode(png_of(&scaled(picture, size), palette, size)?);
-    let mut control = format!("a=T,f=100,i={IMAGE},p=1,q=2,C=1");
-    if reduced {
-        let columns = place.width / usize::from(place.cell.0.max(1));
-        let rows = place.height / usize::from(place.cell.1.max(1));
-        control += &format!(",c={},r={}", columns.max(1), rows.max(1));
-    }
+    let text = STANDARD.encode(png_of(picture.pixels(), palette)?);
+    let columns = place.width / usize::from(place.cell.0.max(1));
+    let rows = place.height / usize::from(place.cell.1.max(1));
+    let mut control = format!("a=T,f=100,i={IMAGE},p=1,q=2,C=1,c={},r={}", columns.max(1), rows.max(1));
     let mut out = Vec::with_capacity(text.len() + 256);
     let mut chunks = text.as_bytes().chunks(CHUNK).peekable();
     while let Some(chunk) = chunks.next() {
@@ -57,23 +52,17 @@ pub(super) fn scaled(picture: &Screen, (width, height): (usize, usize)) -> Vec<u
     pixels
 }
 
-fn png_of(
-    pixels: &[u8],
-    palette: Palette,
-    (width, height): (usize, usize),
-) -> Result<Vec<u8>, png::EncodingError> {
+/// The picture as a PNG, as small as the encoder makes it: lines may be slow.
+fn png_of(pixels: &[u8], palette: Palette) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
-    // A terminal's pixels are far fewer than 32 bits count.
-    let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
+    let mut encoder = png::Encoder::new(&mut bytes, WIDTH as u32, HEIGHT as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
     encoder.set_palette(Color::ALL.iter().flat_map(|color| palette.rgb(*color)).collect::<Vec<u8>>());
-    encoder.set_compression(png::Compression::Fast);
+    encoder.set_compression(png::Compression::High);
     encoder.set_filter(png::Filter::NoFilter);
-    let packed: Vec<u8> = pixels
-        .chunks(width.max(1))
-        .flat_map(|row| row.chunks(2).map(|pair| (pair[0] << 4) | pair.get(1).copied().unwrap_or_default()))
-        .collect();
+    // A row has an even number of pixels.
+    let packed: Vec<u8> = pixels.chunks_exact(2).map(|pair| (pair[0] << 4) | pair[1]).collect();
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&packed)?;
     writer.finish()?;
@@ -191,6 +180,7 @@ mod tests {
         let mut packed = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut packed).unwrap();
         let unpacked: Vec<u8> = packed.iter().flat_map(|&pair| [pair >> 4, pair & 15]).collect();
-        assert!(unpacked == scaled(&picture(), (1280, 960)));
+        assert!(unpacked == picture().pixels());
+        assert!(sent.contains(",c=128,r=48"), "{}", &sent[..80]);
     }
 }

@@ -1,53 +1,12 @@
 //! Keys and mouse of a terminal as programs see them, and a mouse for those who have only keys.
 
+use super::blocks::Spot;
 use super::place::{Extent, Place};
 use crate::machine::{Button, Event, Key, Modifier, PointerSpeed};
 use crate::screen::{HEIGHT, WIDTH};
 use crossterm::event::{
     KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
 };
-
-/// A key of the terminal display and what it does, in both languages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct KeyHelp {
-    /// The keys.
-    pub keys: &'static str,
-    /// What they do, in Hungarian.
-    pub hungarian: &'static str,
-    /// What they do, in English.
-    pub english: &'static str,
-}
-
-/// The keys that the terminal display keeps for itself: everything that a mouse does. Alt with the arrows
-/// serves where the desktop keeps Ctrl with the arrows.
-pub const KEY_HELP: [KeyHelp; 6] = [
-    KeyHelp {
-        keys: "Ctrl+↑ ↓ ← →, Alt+↑ ↓ ← →",
-        hungarian: "az egér mozgatása egy karakterhellyel",
-        english: "move the mouse by one character",
-    },
-    KeyHelp {
-        keys: "Shift+↑ ↓ ← →",
-        hungarian: "az egér mozgatása egy képponttal",
-        english: "move the mouse by one pixel",
-    },
-    KeyHelp {
-        keys: "Ctrl+Space, Alt+L",
-        hungarian: "a bal egérgomb lenyomása, illetve felengedése",
-        english: "press or release the left mouse button",
-    },
-    KeyHelp {
-        keys: "Alt+R",
-        hungarian: "a jobb egérgomb lenyomása, illetve felengedése",
-        english: "press or release the right mouse button",
-    },
-    KeyHelp {
-        keys: "Alt+PgUp, Alt+PgDn",
-        hungarian: "az egér kerekének forgatása",
-        english: "turn the mouse wheel",
-    },
-    KeyHelp { keys: "Ctrl+C", hungarian: "kilépés", english: "close the program" },
-];
 
 /// How far Ctrl and an arrow move the mouse at the least speed, in pixels: one letter.
 const STRIDE: i32 = 8;
@@ -164,14 +123,22 @@ impl Input {
         states.into_iter().filter_map(changed).collect()
     }
 
-    /// Where the mouse is, and what it did there.
-    pub(super) fn mouse(&mut self, event: MouseEvent, place: Place, extent: Extent) -> (Event, Vec<Event>) {
+    /// Where the mouse is, and what it did there. `spots` are what the cells of the picture stand for, where it is
+    /// made of cells.
+    pub(super) fn mouse(
+        &mut self,
+        event: MouseEvent,
+        (place, spots): (Place, &[Spot]),
+        extent: Extent,
+    ) -> (Event, Vec<Event>) {
         let (x, y) = (f64::from(event.column), f64::from(event.row));
         let (column, row) = match extent.cell.filter(|_| self.pixel_mouse) {
             Some((width, height)) => (x / f64::from(width), y / f64::from(height)),
             None => (x + 0.5, y + 0.5),
         };
-        let (x, y) = place.pixel_at(column, row);
+        let spot = place.cell_at(column, row).and_then(|cell| spots.get(cell));
+        let (x, y) =
+            spot.map_or_else(|| place.pixel_at(column, row), |spot| spot.at(column.fract(), row.fract()));
         let what = match event.kind {
             MouseEventKind::Down(which) => self.button(button(which), true),
             MouseEventKind::Up(which) => self.button(button(which), false),
@@ -184,6 +151,14 @@ impl Input {
         let what = self.modified(event.modifiers).into_iter().chain(what).collect();
         (Event::Move(x, y), what)
     }
+}
+
+/// Whether a key asks for a pause. Ctrl+Z undoes.
+pub(super) fn pauses(event: KeyEvent) -> bool {
+    let both = KeyModifiers::CONTROL | KeyModifiers::ALT;
+    event.kind != KeyEventKind::Release
+        && event.modifiers.contains(both)
+        && matches!(event.code, KeyCode::Char('z' | 'Z'))
 }
 
 fn arrow(code: KeyCode) -> Option<(i32, i32)> {
@@ -277,10 +252,10 @@ mod tests {
             modifiers: KeyModifiers::NONE,
         };
         let mut input = Input::default();
-        let told = input.mouse(press, place, extent);
+        let told = input.mouse(press, (place, &[]), extent);
         assert_eq!(told, (Event::Move(84, 88), vec![Event::Press(Button::Left)]));
         let mut input = Input::new(true);
-        let told = input.mouse(MouseEvent { column: 105, row: 110, ..press }, place, extent);
+        let told = input.mouse(MouseEvent { column: 105, row: 110, ..press }, (place, &[]), extent);
         assert_eq!(told.0, Event::Move(84, 88));
     }
 
@@ -291,7 +266,7 @@ mod tests {
         let mut input = Input::default();
         let mut mouse = |kind| {
             let event = MouseEvent { kind, column: 10, row: 5, modifiers: KeyModifiers::NONE };
-            input.mouse(event, place, extent).1
+            input.mouse(event, (place, &[]), extent).1
         };
         let (press, release) = (Event::Press(Button::Left), Event::Release(Button::Left));
         assert_eq!(mouse(MouseEventKind::Down(MouseButton::Left)), [press]);
@@ -303,7 +278,7 @@ mod tests {
         assert_eq!(key(&mut input, KeyCode::Char(' '), KeyModifiers::CONTROL), Some(press));
         let event =
             MouseEvent { kind: MouseEventKind::Moved, column: 1, row: 1, modifiers: KeyModifiers::NONE };
-        assert_eq!(input.mouse(event, place, extent).1, []);
+        assert_eq!(input.mouse(event, (place, &[]), extent).1, []);
         assert_eq!(input.let_go().collect::<Vec<_>>(), [release]);
     }
 }

@@ -1,10 +1,10 @@
 //! The terminal as it is, in lines of characters: for pages of a text mode, which are no pictures.
 
 use super::TerminalError;
-use super::input::plain;
+use super::input::{pauses, plain};
 use super::tty::{Told, Tty};
 use crate::machine::Key;
-use crossterm::event::{Event, KeyCode, KeyEventKind, KeyModifiers, MouseButton, MouseEventKind};
+use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEventKind};
 use ratatui::backend::CrosstermBackend;
 use ratatui::{Frame, Terminal};
 use std::io::{Stdout, stdout};
@@ -58,8 +58,17 @@ impl Lines {
         if paused {
             self.screen.clear()?;
         }
+        // Pages of text have nothing to undo, so that the usual key pauses them too.
+        let paused = |event: &Event| matches!(event, Event::Key(key) if pauses(*key) || undoes(*key));
+        if events.iter().any(paused) {
+            self.tty.pause();
+        }
         Ok(events.into_iter().filter_map(told).collect())
     }
+}
+
+fn undoes(key: KeyEvent) -> bool {
+    key.modifiers == KeyModifiers::CONTROL && matches!(key.code, KeyCode::Char('z' | 'Z'))
 }
 
 fn told(event: Event) -> Option<LineEvent> {

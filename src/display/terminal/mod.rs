@@ -2,25 +2,24 @@
 //! else block characters with the program's texts as real characters.
 //!
 //! The display sleeps until a key, the mouse or the session's deadline, and writes only what changed.
-//! What the mouse does, the keyboard does too ([`KEY_HELP`]); Ctrl+C is the close button.
+//! What the mouse does, the keyboard does too ([`POINTER_KEYS`](crate::machine::POINTER_KEYS)); Ctrl+C is the close button.
 
 mod answers;
-mod blocks;
+pub mod blocks;
 mod graphics;
 mod input;
 mod lines;
 mod place;
 mod tty;
 
-pub use input::{KEY_HELP, KeyHelp};
 pub use lines::{LineEvent, Lines};
 pub use tty::Signals;
 
 use super::Display;
 use super::clock::Clock;
-use crate::machine::{Event, Language, Pointing, Session};
+use crate::machine::{Event, Glyphs, Key, Language, Pointing, Session};
 use crate::screen::{Palette, Screen};
-use blocks::{Cell, Depth};
+use blocks::{Blocks, Depth};
 use crossterm::event::Event as TerminalEvent;
 use graphics::Part;
 use input::Input;
@@ -50,6 +49,9 @@ impl From<io::Error> for TerminalError {
         TerminalError::Lost(error.to_string())
     }
 }
+
+/// The most that is sent in a second, in bytes: lines are shared, and what they buffer comes late.
+const MOST_SENT: f64 = 200.0 * 1024.0;
 
 /// The longest sleep, so that nothing that fails to wake the display is missed for long.
 const LONGEST_SLEEP: Duration = Duration::from_secs(1);
@@ -89,7 +91,7 @@ impl Style {
     fn of(tty: &Tty, extent: Extent) -> Style {
         let graphics = Place::of_graphics(extent);
         match (graphics, Place::of_blocks(extent)) {
-            (Some(place), _) if tty.answers.kitty => Style::Kitty(place),
+            (Some(place), _) if tty.answers.kitty => Style::Kitty(place.in_whole_cells()),
             (Some(place), _) if tty.answers.sixel => Style::Sixel(place),
             (_, Some(place)) => Style::Blocks(place),
             (_, None) => Style::TooSmall,
@@ -120,8 +122,9 @@ enum Shown {
     Picture(Screen),
     /// With Sixel: the colour numbers of the scaled picture.
     Pixels(Vec<u8>),
-    Cells(Vec<Cell>),
-    Message(Language),
+    Cells(blocks::Picture),
+    /// The message on the size, in a language, and whether leaving waits for an answer.
+    Message(Language, bool),
 }
 
 /// A session as a terminal shows it.
@@ -131,14 +134,20 @@ struct View<'t> {
     extent: Extent,
     style: Style,
     depth: Depth,
+    /// The characters that the terminal can be trusted with.
+    glyphs: Glyphs,
     palette: Palette,
     input: Input,
     shown: Shown,
     shown_at: Option<Instant>,
+    /// How long the last picture keeps the line busy at the most that is sent.
+    busy: Duration,
     /// A picture came too soon after the one before to be shown.
     late: bool,
     /// The terminal's size changed and what it shows is undefined.
     redraw: bool,
+    /// The program was asked to end where the terminal is too small to show what it asks.
+    leaving: bool,
 }
 
 impl<'t> View<'t> {
@@ -150,19 +159,25 @@ impl<'t> View<'t> {
             clock: Clock::start(),
             extent,
             style: Style::of(tty, extent),
-            depth: Depth::of(&variable("COLORTERM"), &variable("TERM")),
+            depth: Depth::of(&variable("COLORTERM"), &variable("TERM"), !variable("NO_COLOR").is_empty()),
+            glyphs: tty.answers.glyphs(
+                &variable("TERM"),
+                ["LC_ALL", "LC_CTYPE", "LANG"].map(variable).each_ref().map(String::as_str),
+            ),
             palette: Palette::default(),
             input: Input::new(tty.answers.pixel_mouse),
             shown: Shown::Nothing,
             shown_at: None,
+            busy: Duration::ZERO,
             late: false,
             redraw: true,
+            leaving: false,
         })
     }
 
     /// When the next picture may be shown.
     fn next(&self) -> Option<Instant> {
-        self.shown_at.and_then(|moment| moment.checked_add(self.style.pace()))
+        self.shown_at.and_then(|moment| moment.checked_add(self.style.pace().max(self.busy)))
     }
 
     fn ready(&self) -> bool {
@@ -183,10 +198,15 @@ impl<'t> View<'t> {
         let mut at = (session.mouse().x, session.mouse().y);
         for told in told {
             match told {
+                TerminalEvent::Key(key) if input::pauses(key) => self.tty.pause(),
                 TerminalEvent::Key(key) => events.extend(self.input.key(key, at, session.pointer_speed())),
                 TerminalEvent::Mouse(mouse) => {
                     if let Some(place) = self.style.place() {
-                        let (moved, what) = self.input.mouse(mouse, place, self.extent);
+                        let spots = match &self.shown {
+                            Shown::Cells(picture) => picture.spots.as_slice(),
+                            _ => &[],
+                        };
+                        let (moved, what) = self.input.mouse(mouse, (place, spots), self.extent);
                         if moved != Event::Move(at.0, at.1) {
                             events.push(moved);
                         }
@@ -201,8 +221,14 @@ impl<'t> View<'t> {
             }
         }
         if self.style == Style::TooSmall {
-            // Nobody should act on what cannot be seen; closing is always possible.
-            events.retain(|event| *event == Event::Close);
+            // Nobody should act on what cannot be seen; leaving is always possible.
+            events.retain(|event| matches!(event, Event::Close | Event::Key(Key::Esc)));
+            for event in &mut events {
+                *event = Event::Close;
+                self.leaving = true;
+            }
+        } else {
+            self.leaving = false;
         }
         Ok(only_last_moves(&events))
     }
@@ -248,6 +274,7 @@ impl<'t> View<'t> {
         if !frame.is_empty() {
             self.tty.write(&frame)?;
             self.shown_at = Some(Instant::now());
+            self.busy = Duration::from_secs_f64(frame.len() as f64 / MOST_SENT);
         }
         Ok(())
     }
@@ -288,22 +315,23 @@ impl<'t> View<'t> {
 
     fn show_blocks(&mut self, session: &Session, place: Place, frame: &mut Vec<u8>) {
         let pointer = session.pointer().map(|(_, x, y)| (x, y));
-        let cells = blocks::grid(&session.marked_screen(), pointer, place);
+        let blocks = Blocks::at(place, session.glyphs().unwrap_or(self.glyphs));
+        let picture = blocks.picture(&session.marked_screen(), pointer);
         let before = match &self.shown {
-            Shown::Cells(before) => Some(before.as_slice()),
+            Shown::Cells(before) => Some(before.cells.as_slice()),
             _ => None,
         };
-        frame.extend_from_slice(
-            blocks::difference(before, &cells, place, (self.depth, self.palette)).as_bytes(),
-        );
-        self.shown = Shown::Cells(cells);
+        let written = blocks::difference(before, &picture.cells, place, (self.depth, self.palette));
+        frame.extend_from_slice(written.as_bytes());
+        self.shown = Shown::Cells(picture);
     }
 
     fn show_message(&mut self, language: Language, frame: &mut Vec<u8>) {
-        if matches!(self.shown, Shown::Message(shown) if shown == language) {
+        if matches!(self.shown, Shown::Message(shown, leaving) if (shown, leaving) == (language, self.leaving))
+        {
             return;
         }
-        let lines = too_small(language, self.extent);
+        let lines = too_small(language, self.extent, self.leaving);
         let top = self.extent.rows.saturating_sub(lines.len() as u16) / 2;
         frame.extend_from_slice(b"\x1b[0m\x1b[2J");
         for (row, line) in (top..).zip(&lines) {
@@ -313,7 +341,7 @@ impl<'t> View<'t> {
             let visible: String = line.chars().take(usize::from(self.extent.columns)).collect();
             frame.extend_from_slice(visible.as_bytes());
         }
-        self.shown = Shown::Message(language);
+        self.shown = Shown::Message(language, self.leaving);
     }
 }
 
@@ -330,19 +358,27 @@ impl Display for View<'_> {
     }
 }
 
-fn too_small(language: Language, extent: Extent) -> [String; 3] {
+fn too_small(language: Language, extent: Extent, leaving: bool) -> [String; 3] {
     let Extent { columns, rows, .. } = extent;
     let (least_columns, least_rows) = LEAST;
     match language {
         Language::Hungarian => [
             format!("A terminál {columns}x{rows} karakteres."),
             format!("Legalább {least_columns}x{least_rows} kell."),
-            "Nagyítsa meg, vagy Ctrl+C".to_string(),
+            match leaving {
+                true => "Kilépés előtt kérdés van: nagyítsa meg",
+                false => "Nagyítsa meg, vagy vissza: Esc",
+            }
+            .to_string(),
         ],
         Language::English => [
             format!("The terminal is {columns}x{rows}."),
             format!("At least {least_columns}x{least_rows} is needed."),
-            "Enlarge it, or press Ctrl+C".to_string(),
+            match leaving {
+                true => "There is a question before the end: enlarge it",
+                false => "Enlarge it, or Esc goes back",
+            }
+            .to_string(),
         ],
     }
 }

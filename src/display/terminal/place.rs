@@ -2,8 +2,11 @@
 
 use crate::screen::{HEIGHT, WIDTH};
 
-/// Columns and rows of a terminal that shows the picture in block characters: one letter to a cell.
-pub(super) const LEAST: (u16, u16) = (80, 30);
+/// The least columns and rows of a terminal that shows the picture in characters.
+pub(super) const LEAST: (u16, u16) = (60, 20);
+
+/// Columns and rows at which every letter of the picture has a cell of its own.
+const LETTERS: (usize, usize) = (80, 30);
 
 /// A terminal's size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,16 +34,13 @@ impl Place {
     /// The place for block characters; `None` when the terminal is too small.
     pub(super) fn of_blocks(extent: Extent) -> Option<Place> {
         let (columns, rows) = (usize::from(extent.columns), usize::from(extent.rows));
-        let least = (usize::from(LEAST.0), usize::from(LEAST.1));
-        if columns < least.0 || rows < least.1 {
+        if extent.columns < LEAST.0 || extent.rows < LEAST.1 {
             return None;
         }
-        // The largest grid of the picture's proportions; a cell is twice as high as wide.
-        let (width, height) = if columns * least.1 <= rows * least.0 {
-            (columns, columns * least.1 / least.0)
-        } else {
-            (rows * least.0 / least.1, rows)
-        };
+        // The largest grid of the picture's proportions (a cell is twice as high as wide), but no column of letters
+        // less for want of rows.
+        let width = columns.min((rows * LETTERS.0 / LETTERS.1).max(LETTERS.0));
+        let height = rows.min(width * LETTERS.1 / LETTERS.0);
         Some(Place {
             column: ((columns - width) / 2) as u16,
             row: ((rows - height) / 2) as u16,
@@ -71,6 +71,22 @@ impl Place {
         let column = (room.0 - width) / 2 / usize::from(cell.0);
         let row = (room.1 - height) / 2 / usize::from(cell.1);
         Some(Place { column: column as u16, row: row as u16, width, height, cell })
+    }
+
+    /// The number of the picture's cell at a place of the terminal, where the picture is made of cells.
+    pub(super) fn cell_at(&self, column: f64, row: f64) -> Option<usize> {
+        let within = |cells: f64, from: u16, count: usize| {
+            let at = (cells - f64::from(from)).floor();
+            (at >= 0.0 && at < count as f64).then_some(at as usize)
+        };
+        let column = within(column, self.column, self.width)?;
+        Some(within(row, self.row, self.height)? * self.width + column)
+    }
+
+    /// The same in whole cells, as Kitty's graphics are placed.
+    pub(super) fn in_whole_cells(self) -> Place {
+        let whole = |size: usize, cell: u16| size - size % usize::from(cell.max(1));
+        Place { width: whole(self.width, self.cell.0), height: whole(self.height, self.cell.1), ..self }
     }
 
     /// The pixel of the picture under a place of the terminal, given in cells and parts of cells; outside
@@ -105,8 +121,13 @@ mod tests {
         assert_eq!(place.pixel_at(-3.0, 99.0), (0, 479));
         let wide = Place::of_blocks(extent(200, 45, None)).unwrap();
         assert_eq!((wide.column, wide.row, wide.width, wide.height), (40, 0, 120, 45));
-        assert_eq!(Place::of_blocks(extent(79, 30, None)), None);
-        assert_eq!(Place::of_blocks(extent(80, 29, None)), None);
+        let size = |columns, rows| Place::of_blocks(extent(columns, rows, None)).map(|p| (p.width, p.height));
+        assert_eq!(size(80, 24), Some((80, 24)));
+        assert_eq!(size(120, 24), Some((80, 24)));
+        assert_eq!(size(80, 60), Some((80, 30)));
+        assert_eq!(size(60, 20), Some((60, 20)));
+        assert_eq!(size(59, 20), None);
+        assert_eq!(size(60, 19), None);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use crossterm::event::{
 };
 use crossterm::terminal::{self, EnterAlternateScreen, LeaveAlternateScreen};
 use crossterm::{cursor, execute, queue};
+use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -29,7 +30,12 @@ const PIXEL_MOUSE: [&[u8]; 2] = [b"\x1b[?1016h", b"\x1b[?1016l"];
 pub(super) struct Tty {
     pub(super) answers: Answers,
     signals: Signals,
+    /// Bytes that the terminal may not have shown yet; `None` when it does not tell.
+    unshown: Cell<Option<usize>>,
 }
+
+/// So many bytes may be under way: what a slow line needs a third of a second for.
+const UNDER_WAY: usize = 4096;
 
 /// Has the wish to end or to pause the process noted instead of carried out, until it is dropped: so that the terminal,
 /// or whatever else is under way, can be put in order.
@@ -146,10 +152,12 @@ impl Tty {
         if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
             return Err(TerminalError::NoTerminal);
         }
-        let mut tty = Tty { signals: Signals::watch_all(), answers: Answers::default() };
+        let mut tty =
+            Tty { signals: Signals::watch_all(), answers: Answers::default(), unshown: Cell::new(None) };
         // From here on every way out passes the drop, which undoes more than may have been done.
         tty.take_screen()?;
         tty.answers = ask()?;
+        tty.unshown.set(tty.answers.complete.then_some(0));
         tty.take_input()?;
         Ok(tty)
     }
@@ -212,12 +220,32 @@ impl Tty {
         out.write_all(TOGETHER[0])?;
         out.write_all(frame)?;
         out.write_all(TOGETHER[1])?;
-        Ok(out.flush()?)
+        out.flush()?;
+        drop(out);
+        self.wait_until_shown(frame.len());
+        Ok(())
+    }
+
+    /// Waits until a terminal that tells has shown what was sent, if that is much: else pictures would queue up in a slow
+    /// line, and what the user does would be seen late.
+    fn wait_until_shown(&self, sent: usize) {
+        let unshown = self.unshown.get().map(|unshown| unshown.saturating_add(sent));
+        self.unshown.set(match unshown {
+            // The answer to where the cursor is comes after all that was sent before.
+            Some(UNDER_WAY..) => cursor::position().is_ok().then_some(0),
+            other => other,
+        });
+    }
+
+    /// Pauses the process before the next event.
+    pub(super) fn pause(&self) {
+        self.signals.pause.store(true, Ordering::Relaxed);
     }
 
     /// What happened, at the latest after `longest` (then often nothing).
     pub(super) fn events(&self, longest: Duration) -> Result<Told, TerminalError> {
         let mut events = Vec::new();
+        let longest = if self.signals.pause.load(Ordering::Relaxed) { Duration::ZERO } else { longest };
         // What has been read already would not wake anybody.
         let mut pause = if crossterm::event::poll(Duration::ZERO)? { Duration::ZERO } else { wait(longest)? };
         if let Some(signal) = self.signals.stop() {

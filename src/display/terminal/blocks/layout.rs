@@ -1,0 +1,225 @@
+//! Which pixels belong to which cell, and which cells the texts take.
+
+use super::Place;
+use crate::screen::{HEIGHT, Text, WIDTH};
+
+/// Where the cells of a picture begin and end in its pixels.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Layout {
+    /// One more than there are columns.
+    pub(super) columns: Vec<usize>,
+    /// One more than there are rows.
+    pub(super) rows: Vec<usize>,
+}
+
+/// Lines of text whose middles are closer than this can share a row of cells.
+const SAME_LINE: i32 = 8;
+
+impl Layout {
+    /// Equal cells, unless lines of text would then meet: so that every line has a row of its own, rows are lower where
+    /// lines are close and higher elsewhere. Only texts with words count, so that the picture does not move when
+    /// numbered points do.
+    pub(super) fn new(place: Place, texts: &[Text]) -> Layout {
+        let columns = (0..=place.width).map(|column| column * WIDTH as usize / place.width.max(1)).collect();
+        let even = (0..=place.height).map(|row| row * HEIGHT as usize / place.height.max(1)).collect();
+        let lines = lines(texts);
+        Layout { columns, rows: uneven(&lines, place.height).unwrap_or(even) }
+    }
+
+    /// The cell of a pixel: column and row.
+    pub(super) fn cell(&self, (x, y): (i32, i32)) -> (usize, usize) {
+        let at = |edges: &[usize], pixel: i32| {
+            let pixel = usize::try_from(pixel).unwrap_or(0);
+            edges.partition_point(|&edge| edge <= pixel).saturating_sub(1).min(edges.len().saturating_sub(2))
+        };
+        (at(&self.columns, x), at(&self.rows, y))
+    }
+}
+
+/// Whether a text has words, other than numbers and names of points, which move.
+pub(super) fn is_wordy(text: &Text) -> bool {
+    let letters = text.letters.iter().filter(|(ch, _)| ch.is_alphabetic()).count();
+    !text.covered && (letters >= 3 || letters > 0 && text.letters.len() >= 5)
+}
+
+/// The middles of the lines of words, from above.
+fn lines(texts: &[Text]) -> Vec<i32> {
+    let mut middles: Vec<i32> =
+        texts.iter().filter(|text| is_wordy(text)).map(|text| text.y + text.height / 2).collect();
+    middles.sort_unstable();
+    middles.dedup_by(|below, above| *below - *above < SAME_LINE);
+    middles
+}
+
+/// The edges of rows that give each line its own; `None` when equal rows do so, or there are more lines than rows.
+fn uneven(lines: &[i32], height: usize) -> Option<Vec<usize>> {
+    let even: Vec<usize> =
+        lines.iter().map(|&y| usize::try_from(y).unwrap_or(0) * height / HEIGHT as usize).collect();
+    if lines.len() > height || even.windows(2).all(|pair| pair[0] < pair[1]) {
+        return None;
+    }
+    // From above every line moves down as far as it must, from below up; between the two is the least of both.
+    let mut down = even.clone();
+    for at in 1..down.len() {
+        down[at] = down[at].max(down[at - 1] + 1);
+    }
+    let mut up = even;
+    let last = up.len();
+    for at in 0..last {
+        up[at] = up[at].min(height - (last - at));
+    }
+    for at in (1..last).rev() {
+        up[at - 1] = up[at - 1].min(up[at].saturating_sub(1));
+    }
+    for at in 1..last {
+        up[at] = up[at].max(up[at - 1] + 1);
+    }
+    for at in 0..last {
+        down[at] = down[at].min(height - (last - at));
+    }
+    let rows: Vec<usize> = down.iter().zip(&up).map(|(down, up)| (down + up) / 2).collect();
+    let mut anchors: Vec<(f64, f64)> = vec![(0.0, 0.0)];
+    anchors.extend(rows.iter().zip(lines).map(|(&row, &y)| (row as f64 + 0.5, f64::from(y))));
+    anchors.push((height as f64, f64::from(HEIGHT)));
+    let edge = |row: usize| {
+        let row = row as f64;
+        let pair = anchors.windows(2).find(|pair| row <= pair[1].0);
+        let y = pair.map_or(f64::from(HEIGHT), |pair| {
+            let ((r1, y1), (r2, y2)) = (pair[0], pair[1]);
+            y1 + (y2 - y1) * (row - r1) / (r2 - r1)
+        });
+        // Between 0 and the height.
+        y.round() as usize
+    };
+    Some((0..=height).map(edge).collect())
+}
+
+/// Where a text, or a line of a wrapped one, stands: the cells of a row from a column on, and which of its letters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Placed {
+    /// The number of the text.
+    pub(super) text: usize,
+    pub(super) letters: std::ops::Range<usize>,
+    pub(super) row: usize,
+    pub(super) column: usize,
+}
+
+/// Short texts are commands, numbers and names; they are placed before longer ones.
+const COMMAND: usize = 14;
+
+/// The cells of the texts. Commands and numbers of points come first, then sentences, then numbers that are hidden in
+/// part, each from above; every text takes the free cells nearest to its place. What finds no room is left out.
+pub(super) fn place(texts: &[Text], layout: &Layout) -> Vec<Placed> {
+    let (width, height) = (layout.columns.len() - 1, layout.rows.len() - 1);
+    let mut order: Vec<usize> = (0..texts.len()).collect();
+    order.sort_by_key(|&at| (texts[at].covered, texts[at].letters.len() > COMMAND));
+    let mut room = Room { taken: vec![false; width * height], width, height };
+    let mut placed = Vec::new();
+    for at in order {
+        let text = &texts[at];
+        let (_, row) = layout.cell((text.x, text.y + text.height / 2));
+        let middle = f64::from(2 * text.x + text.width) * width as f64 / f64::from(2 * WIDTH);
+        for (line, letters) in wrapped(text, width).into_iter().enumerate() {
+            let length = letters.len();
+            // Negative places become 0.
+            let column = (middle - length as f64 / 2.0).floor().max(0.0) as usize;
+            let wanted = ((row + line).min(height - 1), column.min(width - length));
+            let farthest = if text.covered { 1 } else { height.max(width) };
+            if let Some((row, column)) = room.nearest(wanted, length, farthest) {
+                room.take(row, column, length);
+                placed.push(Placed { text: at, letters, row, column });
+            }
+        }
+    }
+    placed
+}
+
+/// The lines of a text that is wider than the picture.
+fn wrapped(text: &Text, width: usize) -> Vec<std::ops::Range<usize>> {
+    let mut lines = Vec::new();
+    let mut from = 0;
+    while text.letters.len() - from > width {
+        let part = &text.letters[from..from + width + 1];
+        let end = part.iter().rposition(|&(ch, _)| ch == ' ').filter(|&at| at > 0);
+        lines.push(from..from + end.unwrap_or(width));
+        from += end.map_or(width, |end| end + 1);
+    }
+    lines.push(from..text.letters.len());
+    lines
+}
+
+/// The cells that texts have taken.
+struct Room {
+    taken: Vec<bool>,
+    width: usize,
+    height: usize,
+}
+
+impl Room {
+    /// The free cells nearest to a wanted row and column. Texts that would touch read as one, so that a blank between
+    /// them is worth some distance.
+    fn nearest(
+        &self,
+        (row, column): (usize, usize),
+        length: usize,
+        farthest: usize,
+    ) -> Option<(usize, usize)> {
+        let mut best: Option<(usize, (usize, usize))> = None;
+        let rows = (0..self.height).filter(|&at| at.abs_diff(row) <= farthest);
+        for at in rows {
+            let away = 3 * at.abs_diff(row);
+            if best.is_some_and(|(cost, _)| cost <= away) {
+                continue;
+            }
+            let Some(line) = self.taken.get(at * self.width..(at + 1) * self.width) else { continue };
+            for start in 0..=self.width - length {
+                let aside = start.abs_diff(column);
+                let cost = away + aside;
+                if aside > farthest || best.is_some_and(|(known, _)| known <= cost) {
+                    continue;
+                }
+                if line[start..start + length].contains(&true) {
+                    continue;
+                }
+                let touched = |at: Option<usize>| at.and_then(|at| line.get(at)) == Some(&true);
+                let touching = touched(start.checked_sub(1)) || touched(Some(start + length));
+                let cost = cost + if touching { 3 } else { 0 };
+                if best.is_none_or(|(known, _)| cost < known) {
+                    best = Some((cost, (at, start)));
+                }
+            }
+        }
+        best.map(|(_, place)| place)
+    }
+
+    fn take(&mut self, row: usize, column: usize, length: usize) {
+        let from = row * self.width + column;
+        self.taken[from..from + length].fill(true);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_rows_where_they_do() {
+        assert_eq!(uneven(&[10, 30, 50], 24), None);
+        assert_eq!(uneven(&[10, 20, 30], 2), None, "more lines than rows");
+    }
+
+    #[test]
+    fn close_lines_have_rows_of_their_own() {
+        let lines: Vec<i32> = (0..14).map(|line| 60 + 12 * line).collect();
+        let rows = uneven(&lines, 24).unwrap();
+        assert_eq!((rows.len(), rows[0], rows[24]), (25, 0, 480));
+        assert!(rows.windows(2).all(|pair| pair[0] < pair[1]), "{rows:?}");
+        let row = |y: i32| rows.partition_point(|&edge| edge <= y as usize) - 1;
+        let taken: Vec<usize> = lines.iter().map(|&y| row(y)).collect();
+        assert!(taken.windows(2).all(|pair| pair[1] == pair[0] + 1), "{taken:?}");
+        // As many lines as rows, all at the lower edge.
+        let lines: Vec<i32> = (0..24).map(|line| 240 + 10 * line).collect();
+        let rows = uneven(&lines, 24).unwrap();
+        assert!(rows.windows(2).all(|pair| pair[0] <= pair[1]), "{rows:?}");
+    }
+}
