@@ -45,7 +45,7 @@ impl Tmux {
             .current_dir(self.path())
             .env("XDG_STATE_HOME", self.path())
             .env("XDG_CONFIG_HOME", self.path());
-        command.env("LC_ALL", "C.UTF-8").env_remove("TMUX").env("PS1", "prompt> ");
+        command.env("LC_ALL", "C.UTF-8").env_remove("TMUX");
         command
     }
 
@@ -101,7 +101,7 @@ fn program(path: &str) -> String {
 #[test]
 fn a_spline_without_a_mouse() {
     let Some(tmux) = Tmux::start() else { return };
-    tmux.wait_for("prompt>");
+    tmux.wait_for("bash-");
     tmux.type_line(&program(env!("CARGO_BIN_EXE_gb_2d_ip")));
     tmux.wait_for("U-new");
     tmux.keys(&["u"]);
@@ -118,8 +118,8 @@ fn a_spline_without_a_mouse() {
     }
     tmux.wait("five points", |shown| ["1", "2", "3", "4", "5"].iter().all(|number| shown.contains(number)));
     tmux.keys(&["g"]);
-    tmux.wait_for("Y-open");
-    tmux.keys(&["y"]);
+    tmux.wait_for("N-open");
+    tmux.keys(&["n"]);
     tmux.keys(&["3"]);
     tmux.wait("the curve", |shown| shown.chars().filter(|ch| ('⠁'..='⣿').contains(ch)).count() > 20);
 
@@ -145,7 +145,7 @@ fn a_spline_without_a_mouse() {
 #[test]
 fn a_wheel_of_four_moves_without_a_mouse() {
     let Some(tmux) = Tmux::start() else { return };
-    tmux.wait_for("prompt>");
+    tmux.wait_for("bash-");
     tmux.type_line(&program(env!("CARGO_BIN_EXE_gyongy_k")));
     tmux.wait_for("Enter");
     // The proposal is a game of four moves.

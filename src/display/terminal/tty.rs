@@ -245,7 +245,9 @@ impl Tty {
     /// What happened, at the latest after `longest` (then often nothing).
     pub(super) fn events(&self, longest: Duration) -> Result<Told, TerminalError> {
         let mut events = Vec::new();
-        let longest = if self.signals.pause.load(Ordering::Relaxed) { Duration::ZERO } else { longest };
+        // What has been asked for already would not wake anybody, either.
+        let asked = self.signals.pause.load(Ordering::Relaxed) || self.signals.stop().is_some();
+        let longest = if asked { Duration::ZERO } else { longest };
         // What has been read already would not wake anybody.
         let mut pause = if crossterm::event::poll(Duration::ZERO)? { Duration::ZERO } else { wait(longest)? };
         if let Some(signal) = self.signals.stop() {
