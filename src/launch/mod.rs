@@ -8,6 +8,7 @@ mod config;
 mod display;
 mod failure;
 mod install;
+mod meant;
 mod open;
 mod options;
 mod outlet;
@@ -16,15 +17,15 @@ pub mod progress;
 mod table;
 
 pub use cloud::open_cloud;
-pub use config::configure;
+pub use config::{configure, settings};
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use install::Install;
+pub use meant::meant;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{Tables, folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
-pub use outlet::{say, write_output};
-
+pub use outlet::{Overwrite, say, write_new, write_output};
 pub use table::TableArgs;
 
 use crate::file::{Document, Format};

@@ -6,6 +6,7 @@ mod convert;
 mod curve;
 mod ec;
 mod fit;
+mod info;
 mod knots;
 mod measure;
 mod normals;
@@ -27,12 +28,11 @@ mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Install, Options, RunOptions, exit, write_output};
+use grafika::launch::{Failure, Install, Options, RunOptions, exit, meant, write_output};
 use grafika::programs::{self, ALL};
-use grafika::screen::visible;
 #[cfg(feature = "terminal")]
 use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_terminal};
-use source::Source;
+use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fmt::Write;
 use std::path::Path;
@@ -54,12 +54,6 @@ const EXAMPLES: &str = "Examples:
   grafika --display terminal
   grafika render A.IP2 --method spline --closed -o a.svg";
 
-const INFO_EXAMPLES: &str = "Examples:
-  grafika info A.IP2
-  grafika info \"0^3,i^2,2i\"
-  grafika info measured.csv --columns time,volts
-  cat a.json | grafika info - --from json";
-
 const COMPLETIONS_EXAMPLES: &str = "Examples:
   grafika completions bash > grafika.bash
   grafika completions zsh gb_2d_ip > _gb_2d_ip";
@@ -67,14 +61,13 @@ const COMPLETIONS_EXAMPLES: &str = "Examples:
 #[derive(Subcommand)]
 enum Command {
     /// List the programs
-    #[command(after_help = "Examples:\n  grafika list")]
-    List,
+    #[command(after_help = "Examples:\n  grafika list\n  grafika list --json")]
+    List(List),
     /// Open a data file with its program; without a file, the menu
     #[command(after_help = "Examples:\n  grafika open A.ZMS\n  grafika open a.json --lang en")]
     Open(Options),
-    /// Tell what a data file holds, or what an extended Chebyshev space is
-    #[command(after_help = INFO_EXAMPLES)]
-    Info(Source),
+    /// Tell what data files hold, or what an extended Chebyshev space is
+    Info(info::Info),
     /// Write points of a curve or a surface as CSV or JSON
     Sample(sample::Sample),
     /// Draw a curve or a surface as PNG, SVG or PDF; write a surface as OBJ, STL, PLY or STEP
@@ -133,20 +126,15 @@ fn run() -> Result<(), Failure> {
     if let Some(words) = linked_name() {
         return run_program(words);
     }
+    if let Some(help) = program_help() {
+        return Err(help);
+    }
     let cli = Cli::try_parse()?;
     match cli.command {
         None => show_menu(&cli.options),
-        Some(Command::List) => write_output(None, list().as_bytes()),
+        Some(Command::List(list)) => list.run(),
         Some(Command::Open(options)) => open_with_program(&options),
-        Some(Command::Info(source)) => {
-            let document = match space::written(&source)? {
-                Some(space) => space.into(),
-                None => source.open()?.document,
-            };
-            let lines = document.describe();
-            let text: String = lines.iter().map(|line| format!("{}\n", visible(line))).collect();
-            write_output(None, text.as_bytes())
-        }
+        Some(Command::Info(info)) => info.run(),
         Some(Command::Sample(sample)) => sample.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Measure(measure)) => measure.run(),
@@ -221,14 +209,50 @@ fn linked_name() -> Option<Vec<OsString>> {
     })
 }
 
-/// Every program with a line about it.
-fn list() -> String {
-    let mut text = String::new();
-    for program in ALL {
+/// The command line of `grafika list`.
+#[derive(clap::Args)]
+struct List {
+    /// Tell names, groups, formats and what the programs are, as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl List {
+    /// Every program with a line about it.
+    fn run(&self) -> Result<(), Failure> {
+        let mut text = String::new();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1);
+        let _ = match self.json {
+            false => ALL.iter().try_for_each(|program| {
+                writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1)
+            }),
+            true => {
+                let programs = ALL.iter().map(|program| {
+                    let manual = program.manual;
+                    let opens = program.opens.iter().map(|format| format.extension());
+                    json!({
+                        "name": manual.name,
+                        "about": { "en": manual.about.1, "hu": manual.about.0 },
+                        "group": program.group.id,
+                        "chapter": program.chapter,
+                        "opens": opens.collect::<Vec<_>>(),
+                    })
+                });
+                writeln!(text, "{:#}", Value::Array(programs.collect()))
+            }
+        };
+        write_output(None, text.as_bytes())
     }
-    text
+}
+
+/// The help of a program, as `grafika help NAME` shows it.
+fn program_help() -> Option<Failure> {
+    let words: Vec<OsString> = std::env::args_os().skip(1).collect();
+    let [help, name] = words.as_slice() else { return None };
+    let name = name.to_str().filter(|_| help == "help")?;
+    let program = programs::by_name(name)?;
+    let asked = program.command().try_get_matches_from([program.manual.name, "--help"]);
+    asked.err().map(Failure::from)
 }
 
 /// Starts the program that the first word names, in whatever case, with the rest as its command line.
@@ -241,7 +265,8 @@ fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
             let known = Cli::command();
             let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
             let message = format!(
-                "there is no command or program {name:?}; commands are {}, programs are {}",
+                "there is no command or program {name:?}{}; commands are {}, programs are {}",
+                meant(&name, commands.iter().chain(&programs).copied()),
                 commands.join(", "),
                 programs.join(", ")
             );

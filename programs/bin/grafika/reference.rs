@@ -6,6 +6,7 @@ use clap::{Args, CommandFactory, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
+use grafika::disk::reason;
 use grafika::launch::{Failure, write_output};
 use grafika::programs::{ALL, by_name};
 use grafika::ui::{Manual, Program};
@@ -91,7 +92,7 @@ impl Manuals {
             return write_output(None, &page(&whole(), None)?);
         };
         std::fs::create_dir_all(folder)
-            .map_err(|error| Failure::work(format!("{}: {error}", folder.display())))?;
+            .map_err(|error| Failure::work(format!("{}: {}", folder.display(), reason(&error))))?;
         for (name, text) in pages()? {
             write_output(Some(&folder.join(name)), &text)?;
         }
@@ -148,11 +149,53 @@ fn page(command: &clap::Command, manual: Option<Manual>) -> Result<Vec<u8>, Fail
         }
         let mut own = Roff::default();
         keys_section(manual, &mut own);
+        terms(&mut own, "EXIT STATUS", &STATUS);
+        terms(&mut own, "ENVIRONMENT", &ENVIRONMENT);
+        terms(&mut own, "FILES", &FILES);
         examples_section(command, &mut own);
         own.to_writer(&mut text)
     };
     render().map_err(|error| Failure::work(format!("{}: {error}", command.get_name())))?;
     Ok(text)
+}
+
+/// What the numbers mean that commands and programs end with.
+const STATUS: [(&str, &str); 4] = [
+    ("0", "The work is done."),
+    ("1", "The work failed, or there is no solution; one line on standard error says why."),
+    ("2", "The command line or a script is wrong."),
+    ("128 + N", "Signal N ended the program."),
+];
+
+/// What the programs ask of their surroundings.
+const ENVIRONMENT: [(&str, &str); 5] = [
+    (
+        "LC_ALL, LC_MESSAGES, LANG",
+        "The language, unless the settings or --lang say it: Hungarian for hu, else English.",
+    ),
+    (
+        "DISPLAY, WAYLAND_DISPLAY",
+        "Where a window can be opened; without either, programs show themselves in the terminal.",
+    ),
+    ("TERM, COLORTERM", "What the terminal can show: its colours and its graphics."),
+    ("XDG_CONFIG_HOME", "Where the settings are, instead of ~/.config."),
+    ("XDG_STATE_HOME", "Where unsaved work and best results are kept, instead of ~/.local/state."),
+];
+
+/// Where things are kept.
+const FILES: [(&str, &str); 2] = [
+    ("~/.config/grafika/config.toml", "The settings of all programs; see grafika config."),
+    ("~/.local/state/grafika/", "Unsaved work of sessions that were cut off, and the best results of games."),
+];
+
+/// A section of terms with their explanations.
+fn terms(page: &mut Roff, title: &str, terms: &[(&str, &str)]) {
+    page.control("SH", [title]);
+    for (term, told) in terms {
+        page.control("TP", []);
+        page.text([bold(*term)]);
+        page.text([roman(*told)]);
+    }
 }
 
 fn keys_section(manual: Option<Manual>, page: &mut Roff) {
@@ -277,7 +320,9 @@ mod tests {
                 (_, true) => text(&format!("{name}.1")),
                 (_, false) => text(&format!("{}.1", path.replace(' ', "-"))),
             };
-            assert!(page.contains(".SH EXAMPLES\n"), "{path}");
+            for section in ["EXAMPLES", "\"EXIT STATUS\"", "ENVIRONMENT", "FILES"] {
+                assert!(page.contains(&format!(".SH {section}\n")), "{path}: {section}");
+            }
             let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
             for long in told.filter_map(clap::Arg::get_long) {
                 assert!(page.contains(&format!("--{long}")), "{path} --{long}");

@@ -21,7 +21,7 @@ use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say, write_new};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -79,6 +79,8 @@ pub(crate) struct Render {
     /// Direction from which a space curve or a surface is seen [default: that of the book's programs]
     #[arg(long, value_name = "A,B,C", value_parser = direction, allow_hyphen_values = true)]
     view: Option<Point<3>>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl Render {
@@ -91,11 +93,11 @@ impl Render {
         if let Some(curve) = exact {
             let content = self.ph(&design, &curve, format)?;
             drop(alive);
-            return write_output(Some(&self.output), &content);
+            return write_new(&self.output, &content, &self.overwrite);
         }
         let content = self.content(design, &shape, format)?;
         drop(alive);
-        write_output(Some(&self.output), &content)
+        write_new(&self.output, &content, &self.overwrite)
     }
 
     /// What is written.

@@ -26,6 +26,11 @@ pub(crate) struct InputFormat {
 }
 
 impl Source {
+    /// A file with what is said about it.
+    pub(crate) fn new(file: PathBuf, from: Option<FileKind>, table: TableArgs) -> Source {
+        Source { file, from: InputFormat { from }, table }
+    }
+
     /// The kind of what is read, as said or by the name, if either tells.
     pub(crate) fn kind(&self) -> Option<FileKind> {
         self.from.from.or_else(|| input_kind(&self.file))
