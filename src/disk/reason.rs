@@ -2,12 +2,16 @@
 
 use std::io::{Error, ErrorKind};
 
-/// Why the system refused something, without its numbers: "there is no such file or folder".
+/// Why the system refused something, without its numbers: "there is no such file".
 #[must_use]
 pub fn reason(error: &Error) -> String {
+    // What says itself what is wrong is not the system's.
+    if error.get_ref().is_some() {
+        return error.to_string();
+    }
     let words = match error.kind() {
-        ErrorKind::NotFound => "there is no such file or folder",
-        ErrorKind::PermissionDenied if error.raw_os_error().is_some() => "you have no permission for this",
+        ErrorKind::NotFound => "there is no such file",
+        ErrorKind::PermissionDenied => "you have no permission for this",
         ErrorKind::AlreadyExists => "there is one of this name already",
         ErrorKind::IsADirectory => "this is a folder, not a file",
         ErrorKind::NotADirectory => "a part of the path is a file, not a folder",
@@ -35,7 +39,10 @@ mod tests {
             let told = reason(&Error::from_raw_os_error(number));
             assert!(!told.contains("os error") && !told.is_empty(), "{number}: {told}");
         }
-        assert_eq!(reason(&Error::other("the file is torn")), "the file is torn");
+        assert_eq!(reason(&Error::from_raw_os_error(2)), "there is no such file");
+        let own = |kind| reason(&Error::new(kind, "the file is torn"));
+        assert_eq!(own(ErrorKind::Other), "the file is torn");
+        assert_eq!(own(ErrorKind::FileTooLarge), "the file is torn");
         assert_eq!(reason(&Error::from(ErrorKind::StorageFull)), "the disk is full");
     }
 }

@@ -93,7 +93,7 @@ pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
             say(program, &text);
             ExitCode::from(status)
         }
-        Told::Answer(text) => exit(program, write_output(None, format!("{}\n", text.trim_end()).as_bytes())),
+        Told::Answer(text) => exit(program, write_output(format!("{}\n", text.trim_end()).as_bytes())),
         Told::Nothing => ExitCode::from(status),
     }
 }

@@ -131,7 +131,7 @@ impl Install {
                     drop(bar);
                     let lines = texts::report(&report, job.root());
                     let text: String = lines.iter().map(|line| format!("{}\n", line.of(language))).collect();
-                    return write_output(None, text.as_bytes());
+                    return write_output(text.as_bytes());
                 }
             }
         }

@@ -25,7 +25,7 @@ pub use meant::meant;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{Tables, folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
-pub use outlet::{Overwrite, say, write_new, write_output};
+pub use outlet::{Overwrite, Target, say, write_file, write_output};
 pub use table::TableArgs;
 
 use crate::file::{Document, Format};

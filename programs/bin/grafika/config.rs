@@ -33,12 +33,12 @@ impl Config {
         if self.path {
             let path = ConfigFile::path()
                 .ok_or_else(|| Failure::work("the environment names no home folder to keep settings in"))?;
-            return write_output(None, format!("{}\n", path.display()).as_bytes());
+            return write_output(format!("{}\n", path.display()).as_bytes());
         }
         if self.json {
             let told = settings(self.key.as_deref())?;
-            return write_output(None, format!("{told}\n").as_bytes());
+            return write_output(format!("{told}\n").as_bytes());
         }
-        write_output(None, configure(self.key.as_deref(), self.value.as_deref())?.as_bytes())
+        write_output(configure(self.key.as_deref(), self.value.as_deref())?.as_bytes())
     }
 }

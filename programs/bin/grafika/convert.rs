@@ -5,7 +5,7 @@ use clap::Args;
 use grafika::design::{self, NetDesign};
 use grafika::file::ec::EcDocument;
 use grafika::file::{CloudFormat, Document, FileKind, Format, Method, PlanePoints};
-use grafika::launch::{Failure, Opened, Overwrite, say, write_new};
+use grafika::launch::{Failure, Opened, Overwrite, say};
 use grafika::machine::Language;
 use grafika::work;
 use std::path::{Path, PathBuf};
@@ -82,11 +82,11 @@ impl Convert {
         if is_stream(&self.output) && twin.take().is_some() {
             lost.push("tangents".to_owned());
         }
-        write_new(&self.output, &content, &self.overwrite)?;
+        self.overwrite.write(Some(&self.output), &content)?;
         if let Some((name, content)) = twin {
             // Only the extension differs.
             let extension = Path::new(&name).extension().unwrap_or_default();
-            write_new(&self.output.with_extension(extension), &content, &self.overwrite)?;
+            self.overwrite.write(Some(&self.output.with_extension(extension)), &content)?;
         }
         if !lost.is_empty() {
             let target = if is_stream(&self.output) { "standard output".to_owned() } else { output };

@@ -12,7 +12,7 @@ use grafika::geometry::ParamSurface;
 use grafika::geometry::cloud::Cloud;
 use grafika::geometry::fit::{Fit, Fitted, Report};
 use grafika::geometry::kohonen::{Learning, Net, Order, Rule, Topology, Weighting};
-use grafika::launch::{Failure, TableArgs, open, open_cloud, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, TableArgs, Target, open, open_cloud, progress, say};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -70,6 +70,8 @@ pub(crate) struct FitArgs {
     /// The order in which points are learnt; file goes through them once
     #[arg(long, default_value = "random", value_parser = PossibleValuesParser::new(["random", "file"]))]
     order: String,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// What is written.
@@ -95,6 +97,9 @@ impl FitArgs {
             // What the fit would refuse after all the learning is refused at once.
             Fit::new(&cloud, &start, corrections).map_err(|error| failed(&error))?;
         }
+        // Asked before the work, not after it.
+        let output = self.overwrite.target(Some(&self.output))?;
+        let distances = self.residuals.as_deref().map(|path| self.overwrite.target(Some(path))).transpose()?;
         let mut learning = match self.grow {
             Some(limit) => Learning::growing(&cloud, start, limit, self.seed),
             None => Learning::new(&cloud, start, self.rule()),
@@ -112,7 +117,7 @@ impl FitArgs {
         if matches!(wanted, Wanted::Net) {
             let net = learning.net();
             let document = SomNet { topology: net.topology(), points: net.rows() };
-            return self.document(Document::Som(Box::new(document)));
+            return written(&output, Document::Som(Box::new(document)));
         }
         let mut fit = Fit::new(&cloud, learning.net(), corrections).map_err(|error| failed(&error))?;
         let alive = progress::alive("fitting");
@@ -124,13 +129,13 @@ impl FitArgs {
         };
         drop(alive);
         say("grafika", &format!("{name}: {}", told(&report)));
-        if let Some(path) = &self.residuals {
-            write_output(Some(path), residuals(&cloud, fit.distances()).as_bytes())?;
+        if let Some(target) = &distances {
+            target.write(residuals(&cloud, fit.distances()).as_bytes())?;
         }
         let fitted = fit.fitted().map_err(|error| failed(&error))?;
         match wanted {
-            Wanted::Model(format) => self.model(&fitted, format),
-            _ => self.document(match &fitted {
+            Wanted::Model(format) => self.model(&output, &fitted, format),
+            _ => written(&output, match &fitted {
                 Fitted::Surface(surface) => Document::KnotNet(Box::new(KnotNet::of(surface))),
                 Fitted::Curve(curve) => knots::document(curve).into(),
             }),
@@ -214,12 +219,7 @@ impl FitArgs {
             .map_err(|error| Failure::work(format!("{}: {error}", opened.name)))
     }
 
-    fn document(&self, document: Document) -> Result<(), Failure> {
-        let text = document.to_json().map_err(Failure::work)?;
-        write_output(Some(&self.output), text.as_bytes())
-    }
-
-    fn model(&self, fitted: &Fitted, format: Picture) -> Result<(), Failure> {
+    fn model(&self, output: &Target<'_>, fitted: &Fitted, format: Picture) -> Result<(), Failure> {
         // Checked before anything was learnt.
         let Some(surface) = fitted.surface() else { return Ok(()) };
         let name =
@@ -231,8 +231,13 @@ impl FitArgs {
         if let Some(warning) = warning {
             say("grafika", &warning);
         }
-        write_output(Some(&self.output), &content)
+        output.write(&content)
     }
+}
+
+fn written(output: &Target<'_>, document: Document) -> Result<(), Failure> {
+    let text = document.to_json().map_err(Failure::work)?;
+    output.write(text.as_bytes())
 }
 
 /// Four digits.

@@ -58,7 +58,7 @@ impl Info {
         if self.json {
             text = format!("{:#}\n", Value::Array(list));
         }
-        write_output(None, text.as_bytes())?;
+        write_output(text.as_bytes())?;
         failed.map_or(Ok(()), Err)
     }
 

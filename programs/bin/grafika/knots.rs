@@ -7,7 +7,7 @@ use grafika::design::knots::{Curve, curve, document};
 use grafika::file::{Document, KnotNet, Places};
 use grafika::geometry::knots::{KnotCurve, KnotError, Pair, Through, Way};
 use grafika::geometry::{Point, norm};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, Overwrite, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -53,6 +53,8 @@ struct DocumentArgs {
     /// Where to write [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 #[derive(Args)]
@@ -209,7 +211,7 @@ impl Source {
 
 /// One line of JSON on standard output.
 fn answer(value: &Value) -> Result<(), Failure> {
-    write_output(None, format!("{value}\n").as_bytes())
+    write_output(format!("{value}\n").as_bytes())
 }
 
 /// The same for curves of the plane and in space.
@@ -291,7 +293,7 @@ impl DocumentArgs {
     {
         let document = Document::from(document(&curve.map_err(Failure::work)?));
         let text = document.to_json().map_err(Failure::work)?;
-        write_output(self.output.as_deref(), text.as_bytes())
+        self.overwrite.write(self.output.as_deref(), text.as_bytes())
     }
 }
 

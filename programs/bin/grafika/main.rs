@@ -241,7 +241,7 @@ impl List {
                 writeln!(text, "{:#}", Value::Array(programs.collect()))
             }
         };
-        write_output(None, text.as_bytes())
+        write_output(text.as_bytes())
     }
 }
 

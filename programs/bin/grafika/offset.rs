@@ -16,7 +16,7 @@ use grafika::figure::{
 use grafika::file::{Document, FileKind, number};
 use grafika::geometry::ph::{Offset, OffsetPart, Place, chords};
 use grafika::geometry::{BoundingBox, GeometryError, ParamCurve, ParamSurface, View};
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -59,6 +59,8 @@ pub(crate) struct OffsetArgs {
     /// Feed in mm a minute, for --nc
     #[arg(long, value_name = "F", default_value_t = 100.0, value_parser = positive, requires = "nc")]
     feed: f64,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// The tolerance of moves in millimetres for which none is given.
@@ -110,10 +112,10 @@ impl OffsetArgs {
         };
         drop(alive);
         if let (Some(path), Some(moves)) = (&self.nc, moves) {
-            write_output(Some(path), moves.as_bytes())?;
+            self.overwrite.write(Some(path), moves.as_bytes())?;
         }
         match content {
-            Some(content) => write_output(output, &content),
+            Some(content) => self.overwrite.write(output, &content),
             None => Ok(()),
         }
     }
@@ -172,7 +174,7 @@ impl OffsetArgs {
         };
         drop(alive);
         normals::folded(&surface, self.distance).iter().for_each(|note| say("grafika", note));
-        write_output(output, &content)
+        self.overwrite.write(output, &content)
     }
 
     /// The points at equal steps of the parameter, with the places of the curve that they belong to.

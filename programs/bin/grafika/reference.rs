@@ -7,7 +7,7 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 use grafika::disk::reason;
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, write_file, write_output};
 use grafika::programs::{ALL, by_name};
 use grafika::ui::{Manual, Program};
 use std::path::PathBuf;
@@ -74,7 +74,7 @@ impl Completions {
                 Failure::usage(format!("there is no program {name:?}; grafika list tells which there are"))
             })?,
         };
-        write_output(None, &completions(&mut command, self.shell))
+        write_output(&completions(&mut command, self.shell))
     }
 }
 
@@ -89,12 +89,12 @@ impl Manuals {
     /// Writes the pages.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let Some(folder) = &self.folder else {
-            return write_output(None, &page(&whole(), None)?);
+            return write_output(&page(&whole(), None)?);
         };
         std::fs::create_dir_all(folder)
             .map_err(|error| Failure::work(format!("{}: {}", folder.display(), reason(&error))))?;
         for (name, text) in pages()? {
-            write_output(Some(&folder.join(name)), &text)?;
+            write_file(&folder.join(name), &text)?;
         }
         Ok(())
     }

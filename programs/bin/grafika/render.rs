@@ -21,7 +21,7 @@ use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
-use grafika::launch::{Failure, Overwrite, progress, say, write_new};
+use grafika::launch::{Failure, Overwrite, progress, say};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -93,11 +93,11 @@ impl Render {
         if let Some(curve) = exact {
             let content = self.ph(&design, &curve, format)?;
             drop(alive);
-            return write_new(&self.output, &content, &self.overwrite);
+            return self.overwrite.write(Some(&self.output), &content);
         }
         let content = self.content(design, &shape, format)?;
         drop(alive);
-        write_new(&self.output, &content, &self.overwrite)
+        self.overwrite.write(Some(&self.output), &content)
     }
 
     /// What is written.

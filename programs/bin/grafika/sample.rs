@@ -12,7 +12,7 @@ use grafika::design::{Design, Shape};
 use grafika::figure::{curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
 use grafika::geometry::skin::Outline;
 use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
-use grafika::launch::{Failure, progress, write_output};
+use grafika::launch::{Failure, Overwrite, progress};
 use std::path::PathBuf;
 
 /// Steps a span of a surface, as most programs of the book draw them.
@@ -53,6 +53,8 @@ pub(crate) struct Sample {
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
     to: Option<String>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Which items of a scene.
@@ -68,7 +70,7 @@ impl Sample {
         if self.quantities || self.uniform.is_some() {
             let (design, name) = self.curve.design()?;
             let text = self.exact(&design, &name)?;
-            return write_output(self.output.as_deref(), text.as_bytes());
+            return self.overwrite.write(self.output.as_deref(), text.as_bytes());
         }
         let (design, shape) = self.curve.shape()?;
         let derivatives = usize::from(self.derivatives);
@@ -84,7 +86,7 @@ impl Sample {
                 |rows| quantity_csv(&header, rows),
                 |rows| quantity_json(&header, 0, rows),
             )?;
-            return write_output(self.output.as_deref(), text.as_bytes());
+            return self.overwrite.write(self.output.as_deref(), text.as_bytes());
         }
         let text = match shape {
             Shape::Plane(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
@@ -94,7 +96,7 @@ impl Sample {
             Shape::Outlines(outlines) => self.outlines(&outlines),
         }?;
         drop(alive);
-        write_output(self.output.as_deref(), text.as_bytes())
+        self.overwrite.write(self.output.as_deref(), text.as_bytes())
     }
 
     /// What only PH curves know exactly.

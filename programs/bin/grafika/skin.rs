@@ -11,7 +11,7 @@ use grafika::design::skin::{circles, outlines};
 use grafika::figure::{CURVE_INK, Figure, NOMINAL_WIDTH, curves_step, outline_step};
 use grafika::file::Document;
 use grafika::geometry::skin::{Circles, Clearing, Links, Piece, Side, Skin, SkinArc, Violation};
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -34,7 +34,7 @@ pub(crate) struct SkinCommand {
     caps: bool,
     /// Tell whether the circles or spheres are admissible, and which rules they break, as JSON that counts them from 0;
     /// nothing is written
-    #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to"])]
+    #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to", "force", "no_clobber"])]
     check: bool,
     /// Where to write: .svg, .pdf, .png, .json, .step; of spheres also .stl, .obj, .ply
     #[arg(short, long, value_name = "OUT", required_unless_present = "check")]
@@ -42,6 +42,8 @@ pub(crate) struct SkinCommand {
     /// Format of what is written (svg, pdf, png, json, step, stl, obj, ply), where no name says it
     #[arg(long, value_name = "EXT", value_parser = Wanted::parse)]
     to: Option<Wanted>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// What is written.
@@ -94,7 +96,7 @@ impl SkinCommand {
         if let Some(violation) = violations.first() {
             say("grafika", &format!("{name} is not admissible: {violation}"));
         }
-        write_output(self.output.as_deref(), &content)
+        self.overwrite.write(self.output.as_deref(), &content)
     }
 
     fn wanted(&self) -> Result<Wanted, Failure> {
@@ -148,7 +150,7 @@ fn check(name: &str, violations: &[Violation], noun: &str) -> Result<(), Failure
     let rows: Vec<Value> =
         violations.iter().map(|it| json!({ "rule": it.rule(), "circles": it.numbers() })).collect();
     let answer = json!({ "admissible": rows.is_empty(), "violations": rows });
-    write_output(None, format!("{answer}\n").as_bytes())?;
+    write_output(format!("{answer}\n").as_bytes())?;
     match violations {
         [] => Ok(()),
         all => {

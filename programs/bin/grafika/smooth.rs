@@ -6,7 +6,7 @@ use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{
     DENSITY, GeometryError, MAX_FILTERED, Point, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
-use grafika::launch::{Failure, Overwrite, TableArgs, open_as, progress, say, write_new, write_output};
+use grafika::launch::{Failure, Overwrite, TableArgs, open_as, progress, say, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -99,7 +99,7 @@ impl Smooth {
         let content = document.encode(kind).map_err(|error| {
             Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
         })?;
-        write_new(&self.output, &content, &self.overwrite)?;
+        self.overwrite.write(Some(&self.output), &content)?;
         if let Some(density) = self.told_density(measured) {
             say("grafika", &format!("{}: {density}", opened.name));
         }
@@ -110,7 +110,7 @@ impl Smooth {
         match to_stdout {
             // The points have standard output to themselves.
             true => say("grafika", &line),
-            false => write_output(None, format!("{line}\n").as_bytes())?,
+            false => write_output(format!("{line}\n").as_bytes())?,
         }
         Ok(())
     }

@@ -56,7 +56,7 @@ impl Solve {
     /// Solves and tells.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let from = self.from.from;
-        let Some(puzzle) = &self.puzzle else { return write_output(None, self.number(&[]).as_bytes()) };
+        let Some(puzzle) = &self.puzzle else { return write_output(self.number(&[]).as_bytes()) };
         if puzzle == "-" && from.is_none() {
             let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
             let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(reason(&error)))?;
@@ -119,19 +119,19 @@ impl Solve {
         if self.json {
             let told =
                 json!({ "moves": text, "count": count, "proven": solution.proven, "at_least": at_least });
-            return write_output(None, format!("{told}\n").as_bytes());
+            return write_output(format!("{told}\n").as_bytes());
         }
         let proof = match solution.proven {
             true => "proven shortest".to_string(),
             false => format!("not proven shortest; at least {at_least} are needed"),
         };
         let text = format!("{text}\n{count} moves, {proof}\n");
-        write_output(None, text.as_bytes())
+        write_output(text.as_bytes())
     }
 
     fn write_cube(&self, position: &CsangoCube) -> Result<(), Failure> {
         let text = self.cube(position).map_err(|why| self.problem(why))?;
-        write_output(None, text.as_bytes())
+        write_output(text.as_bytes())
     }
 
     /// The Csángó cube: the moves from the position to the finished cube, or the number of fillings.

@@ -3,7 +3,7 @@
 use crate::sample::extension;
 use clap::Args;
 use grafika::file::{Document, FileKind, Format};
-use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as, open_cloud, write_output};
+use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, Overwrite, open_as, open_cloud};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -91,6 +91,8 @@ pub(crate) struct Answer {
     /// Format of what is written, json or txt, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]
     to: Option<String>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl Answer {
@@ -108,7 +110,7 @@ impl Answer {
 
     /// Writes the answer.
     pub(crate) fn write(&self, content: &[u8]) -> Result<(), Failure> {
-        write_output(self.output.as_deref(), content)
+        self.overwrite.write(self.output.as_deref(), content)
     }
 }
 
