@@ -113,6 +113,17 @@ pub(super) fn is_open_for_reading(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
+/// A new file that is written little by little; one that is there is emptied.
+///
+/// # Errors
+/// The system's.
+pub fn create(path: &Path) -> io::Result<File> {
+    File::create(path).map_err(|error| match (error.kind(), path.parent()) {
+        (io::ErrorKind::NotFound, Some(folder)) => missing(folder),
+        _ => error,
+    })
+}
+
 /// What is said where the folder of a file is missing.
 fn missing(folder: &Path) -> io::Error {
     io::Error::new(io::ErrorKind::NotFound, format!("there is no folder {}", folder.display()))

@@ -61,7 +61,9 @@ pub fn configure(key: Option<&str>, chosen: Option<&str>) -> Result<String, Fail
     };
     let preference = named(key)?;
     if let Some(chosen) = chosen {
-        now.set(preference, chosen).map_err(Failure::usage)?;
+        now.set(preference, chosen).map_err(|problem| {
+            Failure::usage(format!("{problem}{}", meant(chosen, preference.values().iter().copied())))
+        })?;
         if preference == Preference::Folder && now.folder.as_deref().is_some_and(|it| !Path::new(it).is_dir())
         {
             return Err(Failure::work(format!("{chosen}: there is no such folder")));

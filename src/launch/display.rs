@@ -2,11 +2,10 @@
 
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
-use crate::disk::{read_limited, read_stream, reason, text};
+use crate::disk::{create, read_limited, read_stream, reason, text};
 #[cfg(feature = "window")]
 use crate::display::window;
 use crate::machine::{Recorder, Script, Session, play};
-use std::fs::File;
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -60,7 +59,7 @@ fn path_of(path: Option<&Path>) -> String {
 
 fn recorder(path: &Path, name: &str) -> Result<Recorder, Failure> {
     let refused = |error| Failure::work(format!("{}: {}", path.display(), reason(&error)));
-    let file = File::create(path).map_err(refused)?;
+    let file = create(path).map_err(refused)?;
     Ok(Recorder::new(Box::new(file), name))
 }
 

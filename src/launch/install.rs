@@ -58,13 +58,25 @@ impl Install {
     /// # Errors
     /// [`Failure`] when the command line is wrong, or a file cannot be written.
     pub fn run(&self) -> Result<(), Failure> {
+        self.run.check()?;
         if !self.groups.is_empty() {
+            if let Some(option) = self.run.for_displays() {
+                return Err(Failure::usage(format!(
+                    "{option} is for the installer's page; with --groups there is none"
+                )));
+            }
             return self.plainly();
         }
         let pictured = self.run.script.is_some()
             || self.run.record.is_some()
             || self.run.display.is_some_and(is_picture);
         if pictured {
+            let given = [("DIR", self.folder.is_some()), ("--yes", self.yes)];
+            if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+                return Err(Failure::usage(format!(
+                    "{option}: the installer in a picture asks for this itself"
+                )));
+            }
             return PROGRAM.start(&self.run.with_file(None));
         }
         if !has_terminal() {

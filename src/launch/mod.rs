@@ -104,8 +104,12 @@ impl Program {
     /// # Errors
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
+        options.run.check()?;
         let (path, run_options) = (options.file.as_deref(), options.run.preferred());
         let table = options.table.options();
+        if let (Some(option), None) = (options.table.given(), path) {
+            return Err(Failure::usage(format!("{option} is for a table that is opened; no file is named")));
+        }
         let script = run_options.script.as_deref().map(display::read_script).transpose()?;
         let folder = path.map_or_else(|| run_options.folder(), folder_of);
         let mut machine = run_options.machine(folder, script.as_ref());

@@ -182,9 +182,12 @@ pub fn kind_of(path: &Path) -> Result<FileKind, Failure> {
     FileKind::from_name(&name).ok_or_else(|| {
         let known: Vec<String> =
             Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        let names = known.iter().map(String::as_str).chain([".json", ".csv"]);
+        let alike = meant(&format!(".{extension}"), names);
         let (known, tables) = (known.join(" "), TABLES.join(" ."));
         Failure::work(format!(
-            "{name}: no data file has this extension; there are {known} .json .csv, and for reading .{tables}"
+            "{name}: no data file has this extension{alike}; there are {known} .json .csv, and for reading .{tables}"
         ))
     })
 }

@@ -21,6 +21,16 @@ impl TableArgs {
     /// The names of the options, for commands that hide them.
     pub(super) const NAMES: [&'static str; 3] = ["columns", "delimiter", "decimal"];
 
+    /// An option that is given.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--columns", self.columns.is_some()),
+            ("--delimiter", self.delimiter.is_some()),
+            ("--decimal", self.decimal.is_some()),
+        ];
+        given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
     /// The options as the readers of files take them.
     #[must_use]
     pub fn options(&self) -> TableOptions {

@@ -2,7 +2,7 @@
 
 use crate::picture::Format as Picture;
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::source::InputFormat;
+use crate::source::{InputFormat, named_file};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::design::knots;
@@ -38,7 +38,7 @@ pub(crate) struct FitArgs {
     table: TableArgs,
     /// Where to write: .som for the net, .csf (of a polygon .csm), .step, .stl, .obj, .ply for the surface; .json for
     /// the surface with --corrections, else for the net
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: PathBuf,
     /// Rows and columns of neurons; NxR with R = 1 is a polygon for plane clouds [default: 20x20]
     #[arg(long, value_name = "MxN", value_parser = grid, conflicts_with_all = ["grow", "initial"])]
@@ -46,9 +46,9 @@ pub(crate) struct FitArgs {
     /// Steps of learning [default: 100 for every neuron]
     #[arg(long, value_name = "T", conflicts_with = "grow")]
     steps: Option<u64>,
-    /// Seed of the random numbers
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    seed: u64,
+    /// Seed of the random numbers [default: 1]
+    #[arg(long, value_name = "S")]
+    seed: Option<u64>,
     /// How the net is joined [default: open]
     #[arg(long, value_parser = PossibleValuesParser::new(Topology::ALL.map(Topology::name)))]
     topology: Option<String>,
@@ -62,7 +62,7 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(0..=1000))]
     corrections: Option<u16>,
     /// Where to write the signed distance of every point from the surface, as CSV
-    #[arg(long, value_name = "CSV")]
+    #[arg(long, value_name = "CSV", value_parser = named_file())]
     residuals: Option<PathBuf>,
     /// The net to begin with, instead of a random one
     #[arg(long, value_name = "NET")]
@@ -99,9 +99,10 @@ impl FitArgs {
         }
         // Asked before the work, not after it.
         let output = self.overwrite.target(Some(&self.output))?;
-        let distances = self.residuals.as_deref().map(|path| self.overwrite.target(Some(path))).transpose()?;
+        let distances =
+            self.residuals.as_deref().map(|path| self.overwrite.target(Some(path))).transpose()?;
         let mut learning = match self.grow {
-            Some(limit) => Learning::growing(&cloud, start, limit, self.seed),
+            Some(limit) => Learning::growing(&cloud, start, limit, self.seed()),
             None => Learning::new(&cloud, start, self.rule()),
         }
         .map_err(|error| failed(&error))?;
@@ -135,15 +136,21 @@ impl FitArgs {
         let fitted = fit.fitted().map_err(|error| failed(&error))?;
         match wanted {
             Wanted::Model(format) => self.model(&output, &fitted, format),
-            _ => written(&output, match &fitted {
-                Fitted::Surface(surface) => Document::KnotNet(Box::new(KnotNet::of(surface))),
-                Fitted::Curve(curve) => knots::document(curve).into(),
-            }),
+            _ => written(
+                &output,
+                match &fitted {
+                    Fitted::Surface(surface) => Document::KnotNet(Box::new(KnotNet::of(surface))),
+                    Fitted::Curve(curve) => knots::document(curve).into(),
+                },
+            ),
         }
     }
 
     fn wanted(&self) -> Result<Wanted, Failure> {
         let fitted = self.corrections.is_some() || self.residuals.is_some();
+        if self.initial.is_some() && self.order == "file" && self.seed.is_some() {
+            return Err(Failure::usage("--seed: with --initial and --order file nothing is left to chance"));
+        }
         let extension = extension(Some(&self.output));
         let wanted = match extension.as_deref() {
             Some("som") => Wanted::Net,
@@ -181,10 +188,14 @@ impl FitArgs {
         }
     }
 
+    fn seed(&self) -> u64 {
+        self.seed.unwrap_or(1)
+    }
+
     fn rule(&self) -> Rule {
         Rule {
             weighting: Weighting::of_name(&self.weighting).unwrap_or(Weighting::Gauss),
-            order: if self.order == "file" { Order::Listed } else { Order::Random(self.seed) },
+            order: if self.order == "file" { Order::Listed } else { Order::Random(self.seed()) },
             steps: self.steps,
             ..Rule::default()
         }
@@ -195,8 +206,8 @@ impl FitArgs {
         let Some(path) = &self.initial else {
             let topology = topology.unwrap_or(Topology::Open);
             let net = match self.grow {
-                Some(_) => Net::seedling(cloud, topology, self.seed),
-                None => Net::random(cloud, self.grid.unwrap_or([20, 20]), topology, self.seed),
+                Some(_) => Net::seedling(cloud, topology, self.seed()),
+                None => Net::random(cloud, self.grid.unwrap_or([20, 20]), topology, self.seed()),
             };
             return net.map_err(Failure::work);
         };

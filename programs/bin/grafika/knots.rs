@@ -1,13 +1,13 @@
 //! `grafika knots`: what becomes of a B-spline when its knots move, and which knots bring it through a point.
 
 use crate::numbers::{Numbers, places, row};
-use crate::source::Source;
+use crate::source::{Source, named_file};
 use clap::{Args, Subcommand};
 use grafika::design::knots::{Curve, curve, document};
 use grafika::file::{Document, KnotNet, Places};
 use grafika::geometry::knots::{KnotCurve, KnotError, Pair, Through, Way};
 use grafika::geometry::{Point, norm};
-use grafika::launch::{Failure, Overwrite, write_output};
+use grafika::launch::{Failure, Overwrite, meant, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -51,7 +51,7 @@ struct DocumentArgs {
     #[command(flatten)]
     source: Source,
     /// Where to write [default: standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     #[command(flatten)]
     overwrite: Overwrite,
@@ -171,7 +171,8 @@ impl By {
         };
         by.ok_or_else(|| {
             let pairs: Vec<String> = Pair::ALL.iter().map(|pair| format!("pair:{}", pair.name())).collect();
-            format!("there are outer, {}, one, weights and any", pairs.join(", "))
+            let names = pairs.iter().map(String::as_str).chain(["outer", "one", "weights", "any"]);
+            format!("there are outer, {}, one, weights and any{}", pairs.join(", "), meant(text, names))
         })
     }
 
@@ -346,8 +347,12 @@ fn size<const D: usize>(points: &[Point<D>]) -> f64 {
 
 impl ThroughArgs {
     fn run(&self) -> Result<(), Failure> {
+        self.check()?;
         let opened = self.source.open()?;
         if let Document::KnotNet(net) = &opened.document {
+            if self.span.is_some() {
+                return Err(Failure::usage("--span is for curves; this file holds a surface"));
+            }
             return self.surface(net);
         }
         let point: Point<2> = places(&self.point, "--point", "X,Y")?;
@@ -369,6 +374,24 @@ impl ThroughArgs {
                 answer(&told)?;
                 Err(Failure::work(reason))
             }
+        }
+    }
+
+    /// Refuses options that belong to another way.
+    fn check(&self) -> Result<(), Failure> {
+        let (outer, weights, any) = (self.by == By::Outer, self.by == By::Weights, self.by == By::Any);
+        let unused = [
+            ("--span", self.span.is_some() && !outer),
+            ("--knot", self.knot.is_some() && (outer || any)),
+            ("--value", self.value.is_some() && !weights),
+            ("--at", self.at.is_some() && (any || self.by == By::One)),
+            ("--weights", self.weights.is_some() && !weights),
+        ];
+        match unused.into_iter().find(|(_, unused)| *unused) {
+            Some((option, _)) => {
+                Err(Failure::usage(format!("{option} is for another way than --by {}", self.by.name())))
+            }
+            None => Ok(()),
         }
     }
 

@@ -162,6 +162,7 @@ fn run() -> Result<(), Failure> {
 
 /// The menu: in the terminal a page of text, elsewhere a picture.
 fn show_menu(options: &RunOptions) -> Result<(), Failure> {
+    options.check()?;
     let options = &options.preferred();
     #[cfg(feature = "terminal")]
     if grafika::launch::in_terminal(options) {
@@ -245,14 +246,20 @@ impl List {
     }
 }
 
-/// The help of a program, as `grafika help NAME` shows it.
+/// The help of a program, as `grafika help NAME` shows it, or that nothing has this name; that of a command is clap's.
 fn program_help() -> Option<Failure> {
     let words: Vec<OsString> = std::env::args_os().skip(1).collect();
     let [help, name] = words.as_slice() else { return None };
     let name = name.to_str().filter(|_| help == "help")?;
-    let program = programs::by_name(name)?;
-    let asked = program.command().try_get_matches_from([program.manual.name, "--help"]);
-    asked.err().map(Failure::from)
+    match programs::by_name(&name.to_lowercase()) {
+        Some(program) => {
+            let asked = program.command().try_get_matches_from([program.manual.name, "--help"]);
+            asked.err().map(Failure::from)
+        }
+        None => {
+            Cli::command().find_subcommand(name).is_none().then(|| unknown(name)).filter(|_| name != "help")
+        }
+    }
 }
 
 /// Starts the program that the first word names, in whatever case, with the rest as its command line.
@@ -260,17 +267,20 @@ fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
     let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
     match programs::by_name(&name) {
         Some(program) => program.start_from(words),
-        None => {
-            let programs: Vec<&str> = ALL.iter().map(|program| program.manual.name).collect();
-            let known = Cli::command();
-            let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
-            let message = format!(
-                "there is no command or program {name:?}{}; commands are {}, programs are {}",
-                meant(&name, commands.iter().chain(&programs).copied()),
-                commands.join(", "),
-                programs.join(", ")
-            );
-            Err(Cli::command().error(ErrorKind::InvalidSubcommand, message).into())
-        }
+        None => Err(unknown(&name)),
     }
+}
+
+/// That there is no such name, and which there are.
+fn unknown(name: &str) -> Failure {
+    let programs: Vec<&str> = ALL.iter().map(|program| program.manual.name).collect();
+    let known = Cli::command();
+    let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
+    let message = format!(
+        "there is no command or program {name:?}{}; commands are {}, programs are {}",
+        meant(name, commands.iter().chain(&programs).copied()),
+        commands.join(", "),
+        programs.join(", ")
+    );
+    Cli::command().error(ErrorKind::InvalidSubcommand, message).into()
 }

@@ -5,7 +5,7 @@ use crate::normals;
 use crate::ph::PhShape;
 use crate::picture::{Format, picture};
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::source::is_stream;
+use crate::source::{is_stream, named_file};
 use clap::Args;
 use grafika::design::offset::document;
 use grafika::design::{Design, NetDesign};
@@ -38,7 +38,7 @@ pub(crate) struct OffsetArgs {
     trim: bool,
     /// Where to write: .json (or .rbc, .rbs) and .step exactly, a picture .svg .pdf .png, points .csv, a surface also as a
     /// mesh .stl .obj .ply [default: JSON on standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     /// Format of what is written (json, step, svg, pdf, png, csv, stl, obj, ply), where no name says it
     #[arg(long, value_name = "EXT", ignore_case = true, 
@@ -51,7 +51,7 @@ pub(crate) struct OffsetArgs {
     #[arg(long, value_name = "X", value_parser = positive)]
     tolerance: Option<f64>,
     /// Write straight moves of a machine tool, G1 X Y F, whose chords keep within the tolerance
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = named_file())]
     nc: Option<PathBuf>,
     /// Length of one unit of the file in mm, for --nc
     #[arg(long, value_name = "MM", default_value_t = 1.0, value_parser = positive, requires = "nc")]
@@ -96,6 +96,8 @@ impl OffsetArgs {
         let said = self.to.as_ref().map(|said| said.to_lowercase());
         let output = self.output.as_deref().filter(|path| !is_stream(path));
         let wanted = said.or_else(|| extension(output));
+        let picture = matches!(wanted.as_deref(), Some("svg" | "pdf" | "png"));
+        self.check(wanted.as_deref() == Some("csv"), picture || self.nc.is_some())?;
         let content = match wanted.as_deref() {
             // A path of a tool alone needs nothing else.
             None if self.nc.is_some() && self.output.is_none() => None,
@@ -120,6 +122,21 @@ impl OffsetArgs {
         }
     }
 
+    /// Refuses options that what is written has no place for.
+    fn check(&self, steps: bool, tolerance: bool) -> Result<(), Failure> {
+        if self.per_span.is_some() && !steps {
+            return Err(Failure::usage(
+                "--per-span: what is written here has no steps; .csv has, of surfaces also meshes",
+            ));
+        }
+        if self.tolerance.is_some() && !tolerance {
+            return Err(Failure::usage(
+                "--tolerance is for pictures of curves and --nc, of surfaces for .step; anything else is exact",
+            ));
+        }
+        Ok(())
+    }
+
     /// The offset of a surface with Pythagorean normals: exactly, or as a mesh or points.
     fn of_surface(&self, net: &NetDesign, name: &str) -> Result<(), Failure> {
         let curves_only = [("--trim", self.trim), ("--nc", self.nc.is_some())];
@@ -135,6 +152,8 @@ impl OffsetArgs {
         let output = self.output.as_deref().filter(|path| !is_stream(path));
         let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
         let wanted = said.or_else(|| extension(output));
+        let exact = matches!(wanted.as_deref(), None | Some("json" | "rbs" | "step" | "stp"));
+        self.check(!exact, matches!(wanted.as_deref(), Some("step" | "stp")))?;
         let content = match wanted.as_deref() {
             None | Some("json" | "rbs") => normals::written(&offset)?.into_bytes(),
             Some("csv") => {

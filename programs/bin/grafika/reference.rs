@@ -7,7 +7,7 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 use grafika::disk::reason;
-use grafika::launch::{Failure, write_file, write_output};
+use grafika::launch::{Failure, meant, write_file, write_output};
 use grafika::programs::{ALL, by_name};
 use grafika::ui::{Manual, Program};
 use std::path::PathBuf;
@@ -71,7 +71,10 @@ impl Completions {
             None => whole(),
             Some(name) if name == "grafika" => whole(),
             Some(name) => by_name(&name).map(Program::command).ok_or_else(|| {
-                Failure::usage(format!("there is no program {name:?}; grafika list tells which there are"))
+                let alike = meant(&name, ALL.iter().map(|program| program.manual.name));
+                Failure::usage(format!(
+                    "there is no program {name:?}{alike}; grafika list tells which there are"
+                ))
             })?,
         };
         write_output(&completions(&mut command, self.shell))

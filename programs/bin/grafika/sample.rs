@@ -5,7 +5,7 @@ use crate::curve::CurveArgs;
 use crate::normals;
 use crate::numbers::Numbers;
 use crate::ph::PhShape;
-use crate::source::is_stream;
+use crate::source::{is_stream, named_file};
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
@@ -48,7 +48,7 @@ pub(crate) struct Sample {
     #[arg(long, value_name = "KIND")]
     items: Option<Items>,
     /// Where to write; .csv or .json [default: CSV on standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
@@ -68,11 +68,13 @@ impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         if self.quantities || self.uniform.is_some() {
+            self.check_items(false)?;
             let (design, name) = self.curve.design()?;
             let text = self.exact(&design, &name)?;
             return self.overwrite.write(self.output.as_deref(), text.as_bytes());
         }
         let (design, shape) = self.curve.shape()?;
+        self.check_items(matches!(shape, Shape::Parts(_)))?;
         let derivatives = usize::from(self.derivatives);
         let alive = progress::alive("sampling");
         let own = match &self.at {
@@ -97,6 +99,15 @@ impl Sample {
         }?;
         drop(alive);
         self.overwrite.write(self.output.as_deref(), text.as_bytes())
+    }
+
+    fn check_items(&self, scene: bool) -> Result<(), Failure> {
+        match self.items {
+            Some(_) if !scene => Err(Failure::usage(
+                "--items is for scenes over extended Chebyshev spaces; this file holds none",
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// What only PH curves know exactly.
@@ -138,6 +149,11 @@ impl Sample {
             (None, true, false) => Items::Surfaces,
             (None, ..) => Items::Curves,
         };
+        if let (Items::Curves, true, _) | (Items::Surfaces, _, true) =
+            (items, parts.curves.is_empty(), parts.patches.is_empty())
+        {
+            return Err(Failure::usage("--items: this scene has no such items"));
+        }
         match items {
             Items::Curves => {
                 let curves = parts.curves.iter().enumerate();

@@ -2,14 +2,14 @@
 
 use crate::at::positions;
 use crate::numbers::{Numbers, places, row};
-use crate::source::Source;
+use crate::source::{Source, named_file};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
 use grafika::design::shaped::{Curve, curve};
 use grafika::file::{Document, FamilyName, Format, LambdaValue, Places, ShapedPoints};
 use grafika::geometry::Point;
 use grafika::geometry::shaped::{Parameter, ShapedCurve, elevate_cyclic, interpolate};
-use grafika::launch::{Failure, Overwrite, write_output};
+use grafika::launch::{Failure, Overwrite, meant, write_output};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -85,7 +85,7 @@ struct InterpolateArgs {
     #[arg(long)]
     closed: bool,
     /// Where to write [default: standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     #[command(flatten)]
     overwrite: Overwrite,
@@ -100,7 +100,7 @@ struct ElevateArgs {
     #[arg(long, value_name = "R")]
     by: usize,
     /// Where to write [default: standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     #[command(flatten)]
     overwrite: Overwrite,
@@ -119,7 +119,8 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         "lambda" => Parameter::Lambda,
         _ => {
             let index = text.strip_prefix("lambda:").and_then(|index| index.parse().ok());
-            Parameter::LambdaOf(index.ok_or(wanted)?)
+            let alike = || format!("{wanted}{}", meant(text, ["alpha", "beta", "omega", "lambda"]));
+            Parameter::LambdaOf(index.ok_or_else(alike)?)
         }
     })
 }

@@ -2,8 +2,11 @@
 
 use crate::sample::extension;
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use grafika::file::{Document, FileKind, Format};
-use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, Overwrite, open_as, open_cloud};
+use grafika::launch::{
+    Failure, Opened, Overwrite, TableArgs, input_kind, kind_of, meant, open_as, open_cloud,
+};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -57,6 +60,14 @@ pub(crate) fn is_stream(path: &Path) -> bool {
     path == Path::new("-")
 }
 
+/// Reads the name of a file that is written.
+pub(crate) fn named_file() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| match path.is_dir() {
+        true => Err("this is a folder, not a file"),
+        false => Ok(path),
+    })
+}
+
 /// The format of a file that is written: as said, else by its name.
 pub(crate) fn output_kind(path: &Path, said: Option<FileKind>) -> Result<FileKind, Failure> {
     match said {
@@ -77,8 +88,9 @@ fn input_kind_by_extension(text: &str) -> Result<FileKind, String> {
 pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
     FileKind::from_extension(text.trim_start_matches('.')).ok_or_else(|| {
         let known = Format::ALL.iter().map(|format| format.extension().to_lowercase());
-        let known: Vec<String> = known.collect();
-        format!("no data file has this extension; there are {} json csv", known.join(" "))
+        let known: Vec<String> = known.chain(["json", "csv"].map(str::to_owned)).collect();
+        let alike = meant(text.trim_start_matches('.'), known.iter().map(String::as_str));
+        format!("no data file has this extension{alike}; there are {}", known.join(" "))
     })
 }
 
@@ -86,7 +98,7 @@ pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
 #[derive(Args)]
 pub(crate) struct Answer {
     /// Where to write; .json or .txt [default: text on standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     /// Format of what is written, json or txt, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]

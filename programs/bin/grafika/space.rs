@@ -1,12 +1,12 @@
 //! `grafika basis` and `grafika critical`: the functions of an extended Chebyshev space and how long its intervals may be.
 
 use crate::sample::extension;
-use crate::source::{Source, is_stream};
+use crate::source::{Source, is_stream, named_file};
 use clap::Args;
 use grafika::file::Document;
 use grafika::file::ec::{EcDocument, SpaceFile, values};
 use grafika::geometry::ec::{CriticalLength, EcBasis, EcError, Real, Space};
-use grafika::launch::{Failure, Opened, input_kind, Overwrite, open_as, progress, write_output};
+use grafika::launch::{Failure, Opened, Overwrite, input_kind, open_as, progress, write_output};
 use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -88,7 +88,7 @@ pub(crate) struct BasisTable {
     #[arg(long, conflicts_with_all = ["per_span", "derivatives", "ordinary"])]
     transform: bool,
     /// Where to write; .csv or .json [default: CSV on standard output]
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: Option<PathBuf>,
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
