@@ -20,7 +20,7 @@ pub use cloud::open_cloud;
 pub use config::{configure, settings};
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
-pub use install::Install;
+pub use install::{Install, Uninstall};
 pub use meant::meant;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{Tables, folder_of, open_in};

@@ -28,7 +28,7 @@ mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Install, Options, RunOptions, exit, meant, write_output};
+use grafika::launch::{Failure, Install, Options, RunOptions, Uninstall, exit, meant, write_output};
 use grafika::programs::{self, ALL};
 #[cfg(feature = "terminal")]
 use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_terminal};
@@ -105,6 +105,8 @@ enum Command {
     /// Install programs with their samples into a folder, on a page of text or as a plain command
     #[command(after_help = Install::examples("grafika install"))]
     Install(Install),
+    /// Take back what was installed into a folder, as noted there; what has been changed since stays
+    Uninstall(Uninstall),
     /// Write completions of the command line for a shell
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(reference::Completions),
@@ -153,6 +155,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Shape(shape)) => shape.run(),
         Some(Command::Skin(skin)) => skin.run(),
         Some(Command::Install(install)) => install.run(),
+        Some(Command::Uninstall(uninstall)) => uninstall.run(),
         Some(Command::Config(config)) => config.run(),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manuals)) => manuals.run(),
