@@ -4,6 +4,7 @@
 //! Exit status: 0 done, 1 the work failed, 2 the command line or the script is wrong.
 
 mod cloud;
+mod completions;
 mod config;
 mod display;
 mod failure;
@@ -17,6 +18,7 @@ pub mod progress;
 mod table;
 
 pub use cloud::open_cloud;
+pub use completions::{ShellName, complete, completed, registration, words};
 pub use config::{configure, settings};
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
@@ -53,7 +55,8 @@ fn examples(program: &Program) -> String {
 impl Program {
     /// The `main` of a program with its own binary.
     pub fn main(&self) -> ExitCode {
-        exit(self.manual.name, self.start_from(std::env::args_os()))
+        let asked = complete(|| self.command());
+        exit(self.manual.name, asked.unwrap_or_else(|| self.start_from(std::env::args_os())))
     }
 
     /// Starts the program with a command line, whose first word is the program's name.

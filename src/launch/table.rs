@@ -1,5 +1,6 @@
 //! The options that say how a table of text is read.
 
+use super::words;
 use crate::file::{Columns, Decimal, Delimiter, TableOptions};
 use clap::Args;
 
@@ -10,10 +11,10 @@ pub struct TableArgs {
     #[arg(long, value_name = "A,B[,C]")]
     columns: Option<Columns>,
     /// What separates the cells of a table: comma, semicolon, tab, blanks
-    #[arg(long, value_name = "SIGN")]
+    #[arg(long, value_name = "SIGN", add = words(&["comma", "semicolon", "tab", "blanks"]))]
     delimiter: Option<Delimiter>,
     /// The decimal sign of a table's numbers: point, comma
-    #[arg(long, value_name = "SIGN")]
+    #[arg(long, value_name = "SIGN", add = words(&["point", "comma"]))]
     decimal: Option<Decimal>,
 }
 

@@ -7,7 +7,7 @@ use grafika::design::knots::{Curve, curve, document};
 use grafika::file::{Document, KnotNet, Places};
 use grafika::geometry::knots::{KnotCurve, KnotError, Pair, Through, Way};
 use grafika::geometry::{Point, norm};
-use grafika::launch::{Failure, Overwrite, meant, write_output};
+use grafika::launch::{Failure, Overwrite, meant, words, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -130,7 +130,7 @@ struct ThroughArgs {
     point: Numbers,
     /// What moves: outer, pair:outer, pair:left, pair:right, pair:left-cross, pair:right-cross, pair:inner, one,
     /// weights, or any
-    #[arg(long, value_name = "WAY", value_parser = By::parse)]
+    #[arg(long, value_name = "WAY", value_parser = By::parse, add = words(&WAYS))]
     by: By,
     /// The span, for outer
     #[arg(long, value_name = "J")]
@@ -148,6 +148,20 @@ struct ThroughArgs {
     #[arg(long, value_name = "A,B")]
     weights: Option<Numbers>,
 }
+
+/// The names of what moves.
+const WAYS: [&str; 10] = [
+    "outer",
+    "pair:outer",
+    "pair:left",
+    "pair:right",
+    "pair:left-cross",
+    "pair:right-cross",
+    "pair:inner",
+    "one",
+    "weights",
+    "any",
+];
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -169,11 +183,7 @@ impl By {
             "any" => Some(By::Any),
             _ => text.strip_prefix("pair:").and_then(pair),
         };
-        by.ok_or_else(|| {
-            let pairs: Vec<String> = Pair::ALL.iter().map(|pair| format!("pair:{}", pair.name())).collect();
-            let names = pairs.iter().map(String::as_str).chain(["outer", "one", "weights", "any"]);
-            format!("there are outer, {}, one, weights and any{}", pairs.join(", "), meant(text, names))
-        })
+        by.ok_or_else(|| format!("there are {}{}", WAYS.join(", "), meant(text, WAYS)))
     }
 
     fn name(self) -> String {

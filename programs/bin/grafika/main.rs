@@ -28,7 +28,9 @@ mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Install, Options, RunOptions, Uninstall, exit, meant, write_output};
+use grafika::launch::{
+    Failure, Install, Options, RunOptions, Uninstall, complete, exit, meant, write_output,
+};
 use grafika::programs::{self, ALL};
 #[cfg(feature = "terminal")]
 use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_terminal};
@@ -125,7 +127,12 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
-    if let Some(words) = linked_name() {
+    let linked = linked_name();
+    let called = linked.as_ref().and_then(|words| programs::by_name(words.first()?.to_str()?));
+    if let Some(answer) = complete(|| called.map_or_else(reference::unbuilt, |program| program.command())) {
+        return answer;
+    }
+    if let Some(words) = linked {
         return run_program(words);
     }
     if let Some(help) = program_help() {

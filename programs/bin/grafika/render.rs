@@ -7,7 +7,7 @@ use crate::curve::CurveArgs;
 use crate::normals;
 use crate::offset::plot;
 use crate::ph::PhShape;
-use crate::picture::{Format, picture};
+use crate::picture::{Format, NAMES, picture};
 use crate::sample::SURFACE_STEPS;
 use crate::source::named_file;
 use clap::Args;
@@ -23,7 +23,7 @@ use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
-use grafika::launch::{Failure, Overwrite, progress, say};
+use grafika::launch::{Failure, Overwrite, progress, say, words};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -50,7 +50,7 @@ pub(crate) struct Render {
     #[arg(short, long, value_name = "OUT", value_parser = named_file())]
     output: PathBuf,
     /// Format of what is written (png, svg, pdf, obj, stl, ply, step), where no name says it
-    #[arg(long, value_name = "EXT", value_parser = Format::parse)]
+    #[arg(long, value_name = "EXT", value_parser = Format::parse, add = words(&NAMES))]
     to: Option<Format>,
     /// Width of the picture in pixels [default: 640]
     #[arg(long, value_name = "N",

@@ -9,7 +9,7 @@ use grafika::design::shaped::{Curve, curve};
 use grafika::file::{Document, FamilyName, Format, LambdaValue, Places, ShapedPoints};
 use grafika::geometry::Point;
 use grafika::geometry::shaped::{Parameter, ShapedCurve, elevate_cyclic, interpolate};
-use grafika::launch::{Failure, Overwrite, meant, write_output};
+use grafika::launch::{Failure, Overwrite, meant, words, write_output};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ struct PathArgs {
     #[arg(long, value_name = "X")]
     at: f64,
     /// alpha, beta, omega or lambda; lambda:K is that of control point K, from 0
-    #[arg(long, value_name = "NAME", value_parser = parameter)]
+    #[arg(long, value_name = "NAME", value_parser = parameter, add = words(&PARAMETERS))]
     parameter: Parameter,
     /// Values of the parameter
     #[arg(long, value_name = "V,...", allow_hyphen_values = true)]
@@ -61,7 +61,7 @@ struct ThroughArgs {
     #[command(flatten)]
     source: Source,
     /// alpha, beta, omega or lambda; lambda:K is that of control point K, from 0
-    #[arg(long, value_name = "NAME", value_parser = parameter)]
+    #[arg(long, value_name = "NAME", value_parser = parameter, add = words(&PARAMETERS))]
     parameter: Parameter,
     /// The point, X,Y or X,Y,Z
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
@@ -109,6 +109,9 @@ struct ElevateArgs {
 /// The families that interpolate.
 const SPLINES: [&str; 6] = ["c-bspline", "f-bspline", "han", "alpha", "gb", "spb"];
 
+/// The names of parameters.
+const PARAMETERS: [&str; 4] = ["alpha", "beta", "omega", "lambda"];
+
 /// Reads the name of a parameter.
 fn parameter(text: &str) -> Result<Parameter, String> {
     let wanted = "there are alpha, beta, omega, lambda, and lambda:K for control point K, from 0";
@@ -119,7 +122,7 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         "lambda" => Parameter::Lambda,
         _ => {
             let index = text.strip_prefix("lambda:").and_then(|index| index.parse().ok());
-            let alike = || format!("{wanted}{}", meant(text, ["alpha", "beta", "omega", "lambda"]));
+            let alike = || format!("{wanted}{}", meant(text, PARAMETERS));
             Parameter::LambdaOf(index.ok_or_else(alike)?)
         }
     })

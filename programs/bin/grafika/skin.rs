@@ -11,7 +11,7 @@ use grafika::design::skin::{circles, outlines};
 use grafika::figure::{CURVE_INK, Figure, NOMINAL_WIDTH, curves_step, outline_step};
 use grafika::file::Document;
 use grafika::geometry::skin::{Circles, Clearing, Links, Piece, Side, Skin, SkinArc, Violation};
-use grafika::launch::{Failure, Overwrite, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say, words, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -40,7 +40,7 @@ pub(crate) struct SkinCommand {
     #[arg(short, long, value_name = "OUT", value_parser = named_file(), required_unless_present = "check")]
     output: Option<PathBuf>,
     /// Format of what is written (svg, pdf, png, json, step, stl, obj, ply), where no name says it
-    #[arg(long, value_name = "EXT", value_parser = Wanted::parse)]
+    #[arg(long, value_name = "EXT", value_parser = Wanted::parse, add = words(&NAMES))]
     to: Option<Wanted>,
     #[command(flatten)]
     overwrite: Overwrite,
@@ -61,6 +61,8 @@ impl Wanted {
         Format::parse(text).map(Wanted::Other).map_err(|_| FORMATS.to_owned())
     }
 }
+
+const NAMES: [&str; 8] = ["svg", "pdf", "png", "json", "step", "stl", "obj", "ply"];
 
 const FORMATS: &str = "skins are written as .svg .pdf .png .json .step, of spheres also as .stl .obj .ply";
 
