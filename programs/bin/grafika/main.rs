@@ -12,6 +12,7 @@ mod measure;
 mod normals;
 mod numbers;
 mod offset;
+mod page;
 mod ph;
 mod picture;
 mod poly;

@@ -2,13 +2,12 @@
 //! manual pages come from the same table that is parsed.
 
 use crate::Cli;
+use crate::page::page;
 use clap::{Args, CommandFactory};
-use clap_mangen::Man;
-use clap_mangen::roff::{Roff, bold, roman};
 use grafika::disk::reason;
 use grafika::launch::{Failure, ShellName, meant, registration, write_file, write_output};
 use grafika::programs::{ALL, by_name};
-use grafika::ui::{Manual, Program};
+use grafika::ui::Program;
 use std::path::PathBuf;
 
 /// The command line of `grafika completions`.
@@ -98,97 +97,6 @@ fn add_pages(above: &clap::Command, path: &str, pages: &mut Vec<(String, Vec<u8>
         }
     }
     Ok(())
-}
-
-/// A manual page; that of a program with its keys.
-fn page(command: &clap::Command, manual: Option<Manual>) -> Result<Vec<u8>, Failure> {
-    let man = Man::new(command.clone()).manual("Interaktív grafika");
-    let mut text = Vec::new();
-    let mut render = || -> std::io::Result<()> {
-        man.render_title(&mut text)?;
-        man.render_name_section(&mut text)?;
-        man.render_synopsis_section(&mut text)?;
-        man.render_description_section(&mut text)?;
-        if let Some(manual) = manual.filter(|manual| !manual.intro.1.is_empty()) {
-            let mut intro = Roff::default();
-            intro.control("PP", []);
-            intro.text([roman(manual.intro.1)]);
-            intro.to_writer(&mut text)?;
-        }
-        man.render_options_section(&mut text)?;
-        if command.has_subcommands() {
-            man.render_subcommands_section(&mut text)?;
-        }
-        let mut own = Roff::default();
-        keys_section(manual, &mut own);
-        terms(&mut own, "EXIT STATUS", &STATUS);
-        terms(&mut own, "ENVIRONMENT", &ENVIRONMENT);
-        terms(&mut own, "FILES", &FILES);
-        examples_section(command, &mut own);
-        own.to_writer(&mut text)
-    };
-    render().map_err(|error| Failure::work(format!("{}: {error}", command.get_name())))?;
-    Ok(text)
-}
-
-/// What the numbers mean that commands and programs end with.
-const STATUS: [(&str, &str); 4] = [
-    ("0", "The work is done."),
-    ("1", "The work failed, or there is no solution; one line on standard error says why."),
-    ("2", "The command line or a script is wrong."),
-    ("128 + N", "Signal N ended the program."),
-];
-
-/// What the programs ask of their surroundings.
-const ENVIRONMENT: [(&str, &str); 5] = [
-    (
-        "LC_ALL, LC_MESSAGES, LANG",
-        "The language, unless the settings or --lang say it: Hungarian for hu, else English.",
-    ),
-    (
-        "DISPLAY, WAYLAND_DISPLAY",
-        "Where a window can be opened; without either, programs show themselves in the terminal.",
-    ),
-    ("TERM, COLORTERM", "What the terminal can show: its colours and its graphics."),
-    ("XDG_CONFIG_HOME", "Where the settings are, instead of ~/.config."),
-    ("XDG_STATE_HOME", "Where unsaved work and best results are kept, instead of ~/.local/state."),
-];
-
-/// Where things are kept.
-const FILES: [(&str, &str); 2] = [
-    ("~/.config/grafika/config.toml", "The settings of all programs; see grafika config."),
-    ("~/.local/state/grafika/", "Unsaved work of sessions that were cut off, and the best results of games."),
-];
-
-/// A section of terms with their explanations.
-fn terms(page: &mut Roff, title: &str, terms: &[(&str, &str)]) {
-    page.control("SH", [title]);
-    for (term, told) in terms {
-        page.control("TP", []);
-        page.text([bold(*term)]);
-        page.text([roman(*told)]);
-    }
-}
-
-fn keys_section(manual: Option<Manual>, page: &mut Roff) {
-    let Some(manual) = manual.filter(|manual| !manual.keys.is_empty()) else { return };
-    page.control("SH", ["KEYS"]);
-    for (key, what) in manual.keys {
-        page.control("TP", []);
-        page.text([bold(key.1)]);
-        page.text([roman(what.1)]);
-    }
-}
-
-/// The examples of the help, line by line.
-fn examples_section(command: &clap::Command, page: &mut Roff) {
-    let Some(help) = command.get_after_help() else { return };
-    page.control("SH", ["EXAMPLES"]);
-    page.control("nf", []);
-    for line in help.to_string().lines().skip(1) {
-        page.text([roman(line.trim())]);
-    }
-    page.control("fi", []);
 }
 
 #[cfg(test)]
@@ -292,7 +200,7 @@ mod tests {
         for (line, value) in [
             ("grafika info A.I", "A.IP2"),
             ("grafika gb_2d_ip a.i", "A.IP2"),
-            ("grafika solve FILE", "FILE.CSK"),
+            ("grafika solve A.CS", "A.CSK"),
             ("grafika convert A.IP2 a.x --to j", "json"),
             ("grafika info - --from t", "tsv"),
             ("grafika render A.IP2 --to s", "svg"),
