@@ -1,6 +1,6 @@
 //! `grafika convert`: a data file in another format.
 
-use crate::source::{Source, is_stream, kind_by_extension, named_file, output_kind};
+use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use clap::Args;
 use grafika::design::{self, NetDesign};
 use grafika::file::ec::EcDocument;
@@ -22,7 +22,6 @@ pub(crate) struct Convert {
     #[command(flatten)]
     source: Source,
     /// The file to write; its extension says the format; - is standard output, with --to
-    #[arg(value_parser = named_file())]
     output: PathBuf,
     /// Format of what is written (ip2, json, csv, ...), where no name says it
     #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]

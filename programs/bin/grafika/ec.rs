@@ -1,7 +1,7 @@
 //! `grafika elevate`, `split` and `exact`: other control points of the same curve or surface over extended Chebyshev
 //! spaces.
 
-use crate::source::{Source, is_stream, kind_by_extension, named_file, output_kind};
+use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use crate::space::written_interval;
 use clap::{Args, ValueEnum};
 use grafika::design::ec::{Bases, MOST_PARTS, equal_parts, patch_space};
@@ -22,7 +22,7 @@ enum Along {
 #[derive(Args)]
 struct Target {
     /// Where to write [default: JSON on standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Format of what is written (json, kcg, kcj, ...), where no name says it
     #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]

@@ -2,7 +2,7 @@
 
 use crate::picture::Format as Picture;
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::source::{InputFormat, named_file};
+use crate::source::InputFormat;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::design::knots;
@@ -38,7 +38,7 @@ pub(crate) struct FitArgs {
     table: TableArgs,
     /// Where to write: .som for the net, .csf (of a polygon .csm), .step, .stl, .obj, .ply for the surface; .json for
     /// the surface with --corrections, else for the net
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Rows and columns of neurons; NxR with R = 1 is a polygon for plane clouds [default: 20x20]
     #[arg(long, value_name = "MxN", value_parser = grid, conflicts_with_all = ["grow", "initial"])]
@@ -62,7 +62,7 @@ pub(crate) struct FitArgs {
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(0..=1000))]
     corrections: Option<u16>,
     /// Where to write the signed distance of every point from the surface, as CSV
-    #[arg(long, value_name = "CSV", value_parser = named_file())]
+    #[arg(long, value_name = "CSV")]
     residuals: Option<PathBuf>,
     /// The net to begin with, instead of a random one
     #[arg(long, value_name = "NET")]

@@ -1,7 +1,7 @@
 //! `grafika knots`: what becomes of a B-spline when its knots move, and which knots bring it through a point.
 
 use crate::numbers::{Numbers, places, row};
-use crate::source::{Source, named_file};
+use crate::source::Source;
 use clap::{Args, Subcommand};
 use grafika::design::knots::{Curve, curve, document};
 use grafika::file::{Document, KnotNet, Places};
@@ -51,7 +51,7 @@ struct DocumentArgs {
     #[command(flatten)]
     source: Source,
     /// Where to write [default: standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     #[command(flatten)]
     overwrite: Overwrite,

@@ -28,7 +28,7 @@ mod space;
 mod surface;
 
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use grafika::launch::{
     Failure, Install, Options, RunOptions, Uninstall, complete, exit, meant, write_output,
 };
@@ -38,7 +38,7 @@ use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_
 use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
@@ -139,7 +139,9 @@ fn run() -> Result<(), Failure> {
     if let Some(help) = program_help() {
         return Err(help);
     }
-    let cli = Cli::try_parse()?;
+    let matches = Cli::command().try_get_matches()?;
+    check_outputs(&matches)?;
+    let cli = Cli::from_arg_matches(&matches)?;
     match cli.command {
         None => show_menu(&cli.options),
         Some(Command::List(list)) => list.run(),
@@ -168,6 +170,21 @@ fn run() -> Result<(), Failure> {
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manuals)) => manuals.run(),
         Some(Command::Program(words)) => run_program(words),
+    }
+}
+
+/// The options and arguments that name a file to be written.
+const OUTPUTS: [&str; 3] = ["output", "nc", "residuals"];
+
+/// Says of a folder that is named as a file what it is, before anything is done.
+fn check_outputs(matches: &ArgMatches) -> Result<(), Failure> {
+    let named = |id: &&str| matches.try_get_one::<PathBuf>(id).ok().flatten();
+    match (OUTPUTS.iter().filter_map(named).find(|path| path.is_dir()), matches.subcommand()) {
+        (Some(folder), _) => {
+            Err(Failure::work(format!("{}: this is a folder, not a file", folder.display())))
+        }
+        (None, Some((_, below))) => check_outputs(below),
+        (None, None) => Ok(()),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::normals;
 use crate::ph::PhShape;
 use crate::picture::{Format, picture};
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::source::{is_stream, named_file};
+use crate::source::is_stream;
 use clap::Args;
 use grafika::design::offset::document;
 use grafika::design::{Design, NetDesign};
@@ -38,7 +38,7 @@ pub(crate) struct OffsetArgs {
     trim: bool,
     /// Where to write: .json (or .rbc, .rbs) and .step exactly, a picture .svg .pdf .png, points .csv, a surface also as a
     /// mesh .stl .obj .ply [default: JSON on standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Format of what is written (json, step, svg, pdf, png, csv, stl, obj, ply), where no name says it
     #[arg(long, value_name = "EXT", ignore_case = true, 
@@ -51,7 +51,7 @@ pub(crate) struct OffsetArgs {
     #[arg(long, value_name = "X", value_parser = positive)]
     tolerance: Option<f64>,
     /// Write straight moves of a machine tool, G1 X Y F, whose chords keep within the tolerance
-    #[arg(long, value_name = "FILE", value_parser = named_file())]
+    #[arg(long, value_name = "FILE")]
     nc: Option<PathBuf>,
     /// Length of one unit of the file in mm, for --nc
     #[arg(long, value_name = "MM", default_value_t = 1.0, value_parser = positive, requires = "nc")]

@@ -9,7 +9,6 @@ use crate::offset::plot;
 use crate::ph::PhShape;
 use crate::picture::{Format, NAMES, picture};
 use crate::sample::SURFACE_STEPS;
-use crate::source::named_file;
 use clap::Args;
 use grafika::design::offset::curve as curve_of;
 use grafika::design::{Controls, Design, NetDesign, Shape, knots, shaped, skin};
@@ -47,7 +46,7 @@ pub(crate) struct Render {
     #[arg(long)]
     speed: bool,
     /// Where to write: a picture .png .svg .pdf, a surface as a mesh .obj .stl .ply or exactly .step
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Format of what is written (png, svg, pdf, obj, stl, ply, step), where no name says it
     #[arg(long, value_name = "EXT", value_parser = Format::parse, add = words(&NAMES))]

@@ -5,7 +5,7 @@ use crate::curve::CurveArgs;
 use crate::normals;
 use crate::numbers::Numbers;
 use crate::ph::PhShape;
-use crate::source::{is_stream, named_file};
+use crate::source::is_stream;
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
@@ -48,7 +48,7 @@ pub(crate) struct Sample {
     #[arg(long, value_name = "KIND")]
     items: Option<Items>,
     /// Where to write; .csv or .json [default: CSV on standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]

@@ -2,7 +2,7 @@
 
 use crate::at::positions;
 use crate::numbers::{Numbers, places, row};
-use crate::source::{Source, named_file};
+use crate::source::Source;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
 use grafika::design::shaped::{Curve, curve};
@@ -85,7 +85,7 @@ struct InterpolateArgs {
     #[arg(long)]
     closed: bool,
     /// Where to write [default: standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     #[command(flatten)]
     overwrite: Overwrite,
@@ -100,7 +100,7 @@ struct ElevateArgs {
     #[arg(long, value_name = "R")]
     by: usize,
     /// Where to write [default: standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     #[command(flatten)]
     overwrite: Overwrite,

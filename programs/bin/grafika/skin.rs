@@ -5,7 +5,7 @@ mod spheres;
 
 use crate::picture::{Format, picture};
 use crate::sample::extension;
-use crate::source::{Source, named_file};
+use crate::source::Source;
 use clap::Args;
 use grafika::design::skin::{circles, outlines};
 use grafika::figure::{CURVE_INK, Figure, NOMINAL_WIDTH, curves_step, outline_step};
@@ -37,7 +37,7 @@ pub(crate) struct SkinCommand {
     #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to", "force", "no_clobber"])]
     check: bool,
     /// Where to write: .svg, .pdf, .png, .json, .step; of spheres also .stl, .obj, .ply
-    #[arg(short, long, value_name = "OUT", value_parser = named_file(), required_unless_present = "check")]
+    #[arg(short, long, value_name = "OUT", required_unless_present = "check")]
     output: Option<PathBuf>,
     /// Format of what is written (svg, pdf, png, json, step, stl, obj, ply), where no name says it
     #[arg(long, value_name = "EXT", value_parser = Wanted::parse, add = words(&NAMES))]

@@ -1,6 +1,6 @@
 //! `grafika smooth`: measured points smoothed by a B-spline and a Bézier curve (section 2.3.8).
 
-use crate::source::{InputFormat, is_stream, kind_by_extension, named_file, output_kind};
+use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{
@@ -27,7 +27,7 @@ pub(crate) struct Smooth {
     table: TableArgs,
     /// Where to write the points: .csv and .json as they are, .IP3, .IP2 and .IC2 rounded to whole numbers
     /// (which must lie in the field of 560x380); - is CSV on standard output
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Format of what is written, where no name says it [default on standard output: csv]
     #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]

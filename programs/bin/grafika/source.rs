@@ -2,7 +2,6 @@
 
 use crate::sample::extension;
 use clap::Args;
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use grafika::file::{Document, FileKind, Format};
 use grafika::launch::{
     Failure, Opened, Overwrite, TableArgs, input_kind, kind_of, meant, open_as, open_cloud,
@@ -60,14 +59,6 @@ pub(crate) fn is_stream(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads the name of a file that is written.
-pub(crate) fn named_file() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| match path.is_dir() {
-        true => Err("this is a folder, not a file"),
-        false => Ok(path),
-    })
-}
-
 /// The format of a file that is written: as said, else by its name.
 pub(crate) fn output_kind(path: &Path, said: Option<FileKind>) -> Result<FileKind, Failure> {
     match said {
@@ -98,7 +89,7 @@ pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
 #[derive(Args)]
 pub(crate) struct Answer {
     /// Where to write; .json or .txt [default: text on standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Format of what is written, json or txt, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]

@@ -1,7 +1,7 @@
 //! `grafika basis` and `grafika critical`: the functions of an extended Chebyshev space and how long its intervals may be.
 
 use crate::sample::extension;
-use crate::source::{Source, is_stream, named_file};
+use crate::source::{Source, is_stream};
 use clap::Args;
 use grafika::file::Document;
 use grafika::file::ec::{EcDocument, SpaceFile, values};
@@ -88,7 +88,7 @@ pub(crate) struct BasisTable {
     #[arg(long, conflicts_with_all = ["per_span", "derivatives", "ordinary"])]
     transform: bool,
     /// Where to write; .csv or .json [default: CSV on standard output]
-    #[arg(short, long, value_name = "OUT", value_parser = named_file())]
+    #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]

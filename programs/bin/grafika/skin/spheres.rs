@@ -21,9 +21,6 @@ impl SkinCommand {
         if self.check {
             return check(name, &violations, "sphere");
         }
-        if self.caps {
-            return Err(Failure::usage("--caps is for circles; the skin of spheres is always closed"));
-        }
         let wanted = self.wanted()?;
         let alive = progress::alive("putting on the skin");
         let skin = spheres.skin(if self.plain { Clearing::Plain } else { Clearing::Scaled });
