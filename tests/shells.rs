@@ -107,16 +107,16 @@ const TYPED: [(&str, &str); 9] = [
 ];
 
 /// Types lines into a shell that has read the completions.
-fn types(shell: &str, options: &str, before: &str) {
+fn types(shell: &str, options: &str, reads: &str, after: &str) {
     if !is_here(shell) {
         return;
     }
     let folder = shelf();
     let mut terminal = started(shell, options, folder.path());
-    terminal.send(before);
-    for name in ["", " gb_2d_ip"] {
-        terminal.send(&format!("source <(grafika completions {shell}{name})\r"));
+    for name in ["grafika", "gb_2d_ip"] {
+        terminal.send(&reads.replace("NAME", name));
     }
+    terminal.send(after);
     // Put together here, so that the line itself is not taken for the answer.
     terminal.send("printf '%s%s\\n' rea dy\r");
     terminal.wait_for("ready");
@@ -136,12 +136,18 @@ fn types(shell: &str, options: &str, before: &str) {
 
 #[test]
 fn bash_completes() {
-    types("bash", "--norc --noprofile -i", "bind 'set enable-bracketed-paste off'\r");
+    let reads = "source <(grafika completions bash NAME)\r";
+    types("bash", "--norc --noprofile -i", reads, "bind 'set enable-bracketed-paste off'\r");
 }
 
 #[test]
 fn zsh_completes() {
-    types("zsh", "-f -i", "autoload -U compinit; compinit -u -D; unsetopt zle_bracketed_paste\r");
+    let compinit = "autoload -U compinit; compinit -u -D; unsetopt zle_bracketed_paste\r";
+    // Read at the start, and from a folder of functions.
+    let reads = "(($+functions[compdef])) || { autoload -U compinit; compinit -u -D }; source <(grafika completions zsh NAME)\r";
+    types("zsh", "-f -i", reads, "unsetopt zle_bracketed_paste\r");
+    let reads = "mkdir -p fn; fpath=($PWD/fn $fpath); grafika completions zsh NAME > fn/_NAME\r";
+    types("zsh", "-f -i", reads, compinit);
 }
 
 #[test]

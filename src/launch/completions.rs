@@ -54,6 +54,13 @@ impl ShellName {
 pub fn registration(shell: ShellName, name: &str) -> Result<Vec<u8>, Failure> {
     let mut script = Vec::new();
     shell.asks().write_registration(VARIABLE, name, name, name, &mut script).map_err(Failure::work)?;
+    if shell == ShellName::Zsh {
+        // From a folder of functions the script is read as the function of the first completion, and has to answer it too.
+        let answers = format!(
+            "if [[ ${{funcstack[1]}} == _{name} ]]; then _clap_dynamic_completer_{name} \"$@\"; fi\n"
+        );
+        script.extend(answers.into_bytes());
+    }
     Ok(script)
 }
 
