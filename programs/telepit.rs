@@ -9,8 +9,10 @@ pub(crate) mod golden;
 pub(crate) mod installer;
 pub(crate) mod job;
 mod journal;
+pub(crate) mod notes;
 pub(crate) mod place;
 pub(crate) mod plan;
+pub(crate) mod removal;
 pub(crate) mod texts;
 
 use super::groups;

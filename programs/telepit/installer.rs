@@ -2,7 +2,7 @@
 //! has done.
 
 use super::job::{Answer, Job, Step};
-use super::plan::{Plan, System};
+use super::plan::{Plan, System, Way};
 use super::texts;
 use crate::machine::{Key, Language};
 use crate::programs::groups::GROUPS;
@@ -48,6 +48,7 @@ pub(crate) struct Installer {
     /// The folder that is offered.
     folder: String,
     standing: Option<Answer>,
+    way: Way,
     find: Find,
     stage: Stage,
     end: End,
@@ -62,10 +63,16 @@ impl Installer {
             marked: vec![false; GROUPS.len()],
             folder,
             standing,
+            way: Way::default(),
             find,
             stage: Stage::Choose,
             end: End::Left,
         }
+    }
+
+    /// The same, with files laid out in another way.
+    pub(crate) fn in_way(self, way: Way) -> Installer {
+        Installer { way, ..self }
     }
 
     /// How it has ended.
@@ -160,7 +167,7 @@ impl Installer {
         let marked = GROUPS.into_iter().zip(&self.marked).filter(|(_, marked)| **marked);
         let groups: Vec<_> = marked.map(|(group, _)| group).collect();
         folder.clone_into(&mut self.folder);
-        match Plan::new(&groups, &*self.find, System::HERE) {
+        match Plan::new(&groups, &*self.find, System::HERE, self.way) {
             Ok(plan) => Stage::Works(Job::new(super::place::of_text(folder), plan, self.standing)),
             Err(missing) => {
                 self.end = End::Failed;
@@ -320,7 +327,7 @@ mod tests {
             press(&mut page, &[Key::Enter]);
             assert_golden(&page.page(), &format!("telepit_where_{code}.txt"));
             press(&mut page, &[Key::Esc]);
-            let plan = Plan::new(&[GROUPS[1]], &*page.find, System::Unix).unwrap();
+            let plan = Plan::new(&[GROUPS[1]], &*page.find, System::Unix, Way::default()).unwrap();
             let job = Job::new(folder.to_path_buf(), plan.clone(), None);
             page.stage = Stage::Works(job);
             assert_golden(&page.page(), &format!("telepit_works_{code}.txt"));

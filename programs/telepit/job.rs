@@ -2,7 +2,9 @@
 //! is given up leaves the disk as it was.
 
 use super::journal::{Executable, Journal};
+use super::notes::{NAME, Notes, Print};
 use super::plan::{Entry, Plan, Starter, System, What};
+use crate::disk::reason;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -90,6 +92,8 @@ pub(crate) struct Job {
     answer: Option<Answer>,
     /// The answer to all questions.
     standing: Option<Answer>,
+    /// What was made, from the folder of all.
+    made: Vec<PathBuf>,
     report: Report,
 }
 
@@ -104,6 +108,7 @@ impl Job {
             journal: Journal::default(),
             answer: None,
             standing,
+            made: Vec::new(),
             report: Report::default(),
         }
     }
@@ -139,6 +144,10 @@ impl Job {
     /// Deals with the next file.
     pub(crate) fn step(&mut self) -> Result<Step, Failed> {
         let Some(entry) = self.plan.entries.get(self.next).cloned() else {
+            if let Err(error) = self.note() {
+                let (path, left) = (self.root.join(NAME), self.journal.undo());
+                return Err(Failed { path, problem: reason(&error), left });
+            }
             self.report.left_over = self.journal.keep();
             return Ok(Step::Finished(std::mem::take(&mut self.report)));
         };
@@ -158,14 +167,21 @@ impl Job {
             }
             Err(error) => {
                 let left = self.journal.undo();
-                Err(Failed { path, problem: error.to_string(), left })
+                Err(Failed { path, problem: reason(&error), left })
             }
         }
     }
 
     /// Installs a file; `None` if the user must be asked first.
     fn install(&mut self, entry: &Entry, path: &Path) -> io::Result<Option<Outcome>> {
-        self.journal.folder(path.parent().unwrap_or(&self.root))?;
+        let folder = path.parent().unwrap_or(&self.root);
+        self.journal.folder(folder)?;
+        if !std::fs::canonicalize(folder)?.starts_with(std::fs::canonicalize(&self.root)?) {
+            return Err(io::Error::other(format!(
+                "{} is a link that leads out of the folder",
+                folder.display()
+            )));
+        }
         match self.place(entry, path)? {
             Place::Free => {}
             Place::Same => return Ok(Some(Outcome::Same)),
@@ -181,8 +197,25 @@ impl Job {
         match &entry.what {
             What::Data(content) => self.journal.write(path, content, Executable::No)?,
             What::Starter(starter) => self.start_by(starter, path)?,
+            What::Copy(executable) => self.journal.copy(path, executable)?,
         }
+        self.made.push(entry.path());
         Ok(Some(Outcome::Written))
+    }
+
+    /// Notes in the folder what was made there, for the day it is to go.
+    fn note(&mut self) -> io::Result<()> {
+        if self.made.is_empty() {
+            return Ok(());
+        }
+        let path = self.root.join(NAME);
+        let mut notes = Notes::read(&self.root)?.unwrap_or_default();
+        let folders = self.journal.folders().filter_map(|folder| folder.strip_prefix(&self.root).ok());
+        notes.add(&self.root, folders, &self.made)?;
+        if std::fs::symlink_metadata(&path).is_ok() {
+            self.journal.set_aside(&path)?;
+        }
+        self.journal.write(&path, &notes.text(), Executable::No)
     }
 
     /// A link where links are, else a script.
@@ -210,7 +243,14 @@ impl Job {
             What::Starter(starter) if found.is_symlink() => {
                 std::fs::read_link(path).is_ok_and(|target| target == starter.executable)
             }
-            What::Starter(starter) => holds(&starter.script(self.system)),
+            What::Starter(starter) => {
+                // In the folder of the executable itself.
+                let same = |path: &Path| std::fs::canonicalize(path).ok();
+                holds(&starter.script(self.system))
+                    || starter.executable.is_absolute()
+                        && same(path).is_some_and(|place| same(&starter.executable) == Some(place))
+            }
+            What::Copy(executable) => found.is_file() && is_copy(path, executable)?,
         };
         Ok(match (same, found.is_dir()) {
             (true, _) => Place::Same,
@@ -220,16 +260,23 @@ impl Job {
     }
 }
 
+/// Whether two files have the same content.
+fn is_copy(path: &Path, of: &Path) -> io::Result<bool> {
+    let same_length = std::fs::metadata(path)?.len() == std::fs::metadata(of)?.len();
+    Ok(same_length && Print::of(path)? == Print::of(of)?)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::journal::tests::{contents, scratch};
     use super::*;
     use crate::programs::groups::GROUPS;
+    use crate::programs::telepit::plan::Way;
     use std::fs;
 
     fn plan() -> Plan {
         let find = |name: &str| Some(Path::new("/bin").join(name));
-        Plan::new(&GROUPS, &find, System::HERE).unwrap()
+        Plan::new(&GROUPS, &find, System::HERE, Way::default()).unwrap()
     }
 
     /// Runs to the end with one answer to every question.
@@ -318,7 +365,7 @@ mod tests {
     fn without_links_scripts_start_the_programs() {
         let root = scratch("scripts");
         let find = |name: &str| (name == "grafika").then(|| PathBuf::from("/bin/echo"));
-        let plan = Plan::new(&[GROUPS[0]], &find, System::Windows).unwrap();
+        let plan = Plan::new(&[GROUPS[0]], &find, System::Windows, Way::default()).unwrap();
         for written in [plan.entries.len(), 0] {
             let mut job = Job::new(root.clone(), plan.clone(), None);
             job.system = System::Windows;

@@ -1,6 +1,7 @@
 //! A journal of changes to the disk, which can undo them: files and folders that were made, and files that were
 //! set aside for others.
 
+use crate::disk::reason;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -52,6 +53,24 @@ impl Journal {
         file.sync_all()
     }
 
+    /// Copies an executable to a path where nothing exists.
+    pub(crate) fn copy(&mut self, path: &Path, from: &Path) -> io::Result<()> {
+        let mut source = File::open(from)?;
+        let mut file = File::create_new(path)?;
+        self.deeds.push(Deed::Made(path.to_path_buf()));
+        io::copy(&mut source, &mut file)?;
+        Executable::Yes.apply(&file)?;
+        file.sync_all()
+    }
+
+    /// The folders that were made.
+    pub(crate) fn folders(&self) -> impl Iterator<Item = &Path> {
+        self.deeds.iter().filter_map(|deed| match deed {
+            Deed::Folder(path) => Some(path.as_path()),
+            Deed::Made(_) | Deed::SetAside { .. } => None,
+        })
+    }
+
     /// Makes a symbolic link at a path where nothing exists.
     pub(crate) fn link(&mut self, path: &Path, target: &Path) -> io::Result<()> {
         symbolic_link(target, path)?;
@@ -78,7 +97,7 @@ impl Journal {
                 Deed::SetAside { from, to } => (from, fs::rename(to, from)),
             };
             if let Err(error) = result {
-                problems.push(format!("{}: {error}", path.display()));
+                problems.push(format!("{}: {}", path.display(), reason(&error)));
             }
         }
         problems
@@ -91,8 +110,9 @@ impl Journal {
             Deed::SetAside { to, .. } => Some(to),
             Deed::Folder(_) | Deed::Made(_) => None,
         });
-        let remove =
-            |path: PathBuf| fs::remove_file(&path).err().map(|error| format!("{}: {error}", path.display()));
+        let remove = |path: PathBuf| {
+            fs::remove_file(&path).err().map(|error| format!("{}: {}", path.display(), reason(&error)))
+        };
         aside.filter_map(remove).collect()
     }
 }

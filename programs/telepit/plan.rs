@@ -18,9 +18,20 @@ impl System {
     pub(crate) const HERE: System = if cfg!(windows) { System::Windows } else { System::Unix };
 }
 
+/// How the files are laid out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Way {
+    /// The executable is copied into the folder, so that everything there lasts by itself; else starters lead to where
+    /// the executables are.
+    pub(crate) copy: bool,
+    /// Starters alone, and no folders of groups: for a folder in which shells look for programs.
+    pub(crate) flat: bool,
+}
+
 /// What starts a program: its own executable, or `grafika` with the program's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Starter {
+    /// Where it is, or, of a copy, the way there from the starter's folder.
     pub(crate) executable: PathBuf,
     pub(crate) program: Option<&'static str>,
 }
@@ -30,6 +41,8 @@ pub(crate) struct Starter {
 pub(crate) enum What {
     Data(&'static [u8]),
     Starter(Starter),
+    /// A copy of an executable.
+    Copy(PathBuf),
 }
 
 /// A file to be installed.
@@ -54,7 +67,10 @@ pub(crate) struct NoExecutable(pub(crate) &'static str);
 impl fmt::Display for NoExecutable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.0;
-        write!(f, "neither {name} nor grafika is beside this program; what should start {name}?")
+        match name {
+            "grafika" => f.write_str("grafika is not beside this program; what should be copied?"),
+            _ => write!(f, "neither {name} nor grafika is beside this program; what should start {name}?"),
+        }
     }
 }
 
@@ -67,8 +83,13 @@ impl Plan {
         groups: &[&'static Group],
         find: &dyn Fn(&str) -> Option<PathBuf>,
         system: System,
+        way: Way,
     ) -> Result<Plan, NoExecutable> {
         let menu = find("grafika");
+        if way.copy {
+            let executable = menu.ok_or(NoExecutable("grafika"))?;
+            return Ok(Plan::copied(groups, executable, system, way.flat));
+        }
         let entry = |folder, name: &'static str, starter| Entry {
             folder,
             name: system.starter_name(name),
@@ -79,22 +100,47 @@ impl Plan {
             entries.push(entry("", "grafika", Starter { executable: executable.clone(), program: None }));
         }
         for group in groups {
+            let place = if way.flat { "" } else { group.folder };
             for name in group.programs().map(|program| program.manual.name) {
                 let own = find(name).map(|executable| Starter { executable, program: None });
                 let through_menu =
                     || menu.clone().map(|executable| Starter { executable, program: Some(name) });
                 let starter = own.or_else(through_menu).ok_or(NoExecutable(name))?;
-                entries.push(entry(group.folder, name, starter));
+                entries.push(entry(place, name, starter));
             }
-            let data = |(name, content): (&str, &'static [u8])| Entry {
-                folder: group.folder,
-                name: name.to_owned(),
-                what: What::Data(content),
-            };
-            entries.extend(group.samples().map(data));
+            entries.extend(data(group).filter(|_| !way.flat));
         }
         Ok(Plan { entries })
     }
+
+    /// The same around a copy of `grafika`, which all starters lead to.
+    fn copied(groups: &[&'static Group], executable: PathBuf, system: System, flat: bool) -> Plan {
+        let name = system.executable_name();
+        let copy = Entry { folder: "", name: name.to_owned(), what: What::Copy(executable) };
+        let mut entries: Vec<Entry> = (!groups.is_empty()).then_some(copy).into_iter().collect();
+        for group in groups {
+            let (folder, above) = if flat { ("", "") } else { (group.folder, "..") };
+            entries.extend(group.programs().map(|program| program.manual.name).map(|program| Entry {
+                folder,
+                name: system.starter_name(program),
+                what: What::Starter(Starter {
+                    executable: Path::new(above).join(name),
+                    program: Some(program),
+                }),
+            }));
+            entries.extend(data(group).filter(|_| !flat));
+        }
+        Plan { entries }
+    }
+}
+
+/// The samples of a group.
+fn data(group: &'static Group) -> impl Iterator<Item = Entry> {
+    group.samples().map(|(name, content)| Entry {
+        folder: group.folder,
+        name: name.to_owned(),
+        what: What::Data(content),
+    })
 }
 
 impl Entry {
@@ -105,6 +151,13 @@ impl Entry {
 }
 
 impl System {
+    fn executable_name(self) -> &'static str {
+        match self {
+            System::Unix => "grafika",
+            System::Windows => "grafika.exe",
+        }
+    }
+
     fn starter_name(self, program: &str) -> String {
         match self {
             System::Unix => program.to_owned(),
@@ -118,14 +171,20 @@ impl Starter {
     pub(crate) fn script(&self, system: System) -> Vec<u8> {
         let executable = self.executable.as_os_str().as_encoded_bytes();
         let program = self.program.map(|name| format!(" {name}")).unwrap_or_default();
+        // What is beside the script is found from there.
+        let beside = !self.executable.is_absolute() && !executable.starts_with(b"/");
         match system {
             System::Unix => {
                 let quoted = replaced(executable, b'\'', b"'\\''");
-                [b"#!/bin/sh\nexec '", &quoted[..], b"'", program.as_bytes(), b" \"$@\"\n"].concat()
+                let here: &[u8] = if beside { b"\"$(dirname -- \"$0\")\"/" } else { b"" };
+                [b"#!/bin/sh\nexec ", here, b"'", &quoted[..], b"'", program.as_bytes(), b" \"$@\"\n"]
+                    .concat()
             }
             System::Windows => {
                 let quoted = replaced(executable, b'%', b"%%");
-                [b"@\"", &quoted[..], b"\"", program.as_bytes(), b" %*\r\n"].concat()
+                let quoted = if beside { replaced(&quoted, b'/', b"\\") } else { quoted };
+                let here: &[u8] = if beside { b"%~dp0" } else { b"" };
+                [b"@\"", here, &quoted[..], b"\"", program.as_bytes(), b" %*\r\n"].concat()
             }
         }
     }
@@ -156,7 +215,7 @@ mod tests {
     #[test]
     fn every_program_and_sample_is_planned_once() {
         for system in [System::Unix, System::Windows] {
-            let plan = Plan::new(&all(), &everything, system).unwrap();
+            let plan = Plan::new(&all(), &everything, system, Way::default()).unwrap();
             let mut paths: Vec<PathBuf> = plan.entries.iter().map(Entry::path).collect();
             let programs: usize = crate::programs::ALL.len();
             // A sample may belong to two groups, and is in the folders of both.
@@ -172,20 +231,52 @@ mod tests {
     #[test]
     fn programs_start_by_themselves_or_through_the_menu() {
         let group = [GROUPS[1]];
-        let plan = Plan::new(&group, &everything, System::Unix).unwrap();
+        let plan = Plan::new(&group, &everything, System::Unix, Way::default()).unwrap();
         let own = Starter { executable: "/bin/gb_p_2d".into(), program: None };
         assert_eq!(plan.entries[1].what, What::Starter(own));
         assert_eq!(plan.entries[1].path(), Path::new("GB_2D").join("gb_p_2d"));
 
         let only_menu = |name: &str| (name == "grafika").then(|| PathBuf::from("/opt/grafika"));
-        let plan = Plan::new(&group, &only_menu, System::Windows).unwrap();
+        let plan = Plan::new(&group, &only_menu, System::Windows, Way::default()).unwrap();
         let through = Starter { executable: "/opt/grafika".into(), program: Some("gb_p_2d") };
         assert_eq!(plan.entries[1].what, What::Starter(through));
         assert_eq!(plan.entries[1].name, "gb_p_2d.cmd");
 
         let nothing = |_: &str| None;
-        assert_eq!(Plan::new(&group, &nothing, System::Unix), Err(NoExecutable("gb_p_2d")));
-        assert_eq!(Plan::new(&[], &nothing, System::Unix), Ok(Plan { entries: Vec::new() }));
+        assert_eq!(Plan::new(&group, &nothing, System::Unix, Way::default()), Err(NoExecutable("gb_p_2d")));
+        assert_eq!(Plan::new(&[], &nothing, System::Unix, Way::default()), Ok(Plan { entries: Vec::new() }));
+    }
+
+    #[test]
+    fn a_copy_is_all_that_starters_lead_to() {
+        let way = Way { copy: true, flat: false };
+        let plan = Plan::new(&all(), &everything, System::Unix, way).unwrap();
+        assert_eq!(plan.entries[0].what, What::Copy("/bin/grafika".into()));
+        let starters = plan.entries.iter().filter_map(|entry| match &entry.what {
+            What::Starter(starter) => Some((entry, starter)),
+            _ => None,
+        });
+        let mut count = 0;
+        for (entry, starter) in starters {
+            count += 1;
+            let folder = entry.path();
+            assert_eq!(
+                folder.parent().map(|it| it.join(&starter.executable)),
+                Some(Path::new(entry.folder).join("../grafika"))
+            );
+        }
+        assert_eq!(count, crate::programs::ALL.len());
+        let nothing = |name: &str| (name != "grafika").then(|| PathBuf::from("/bin/x"));
+        assert_eq!(Plan::new(&all(), &nothing, System::Unix, way), Err(NoExecutable("grafika")));
+    }
+
+    #[test]
+    fn a_flat_installation_has_programs_alone() {
+        for copy in [false, true] {
+            let plan = Plan::new(&all(), &everything, System::Windows, Way { copy, flat: true }).unwrap();
+            assert_eq!(plan.entries.len(), 1 + crate::programs::ALL.len());
+            assert!(plan.entries.iter().all(|entry| entry.folder.is_empty()));
+        }
     }
 
     #[test]
@@ -194,5 +285,9 @@ mod tests {
         let text = |system| String::from_utf8(starter.script(system)).unwrap();
         assert_eq!(text(System::Unix), "#!/bin/sh\nexec '/it'\\''s 100%/grafika' vjs \"$@\"\n");
         assert_eq!(text(System::Windows), "@\"/it's 100%%/grafika\" vjs %*\r\n");
+        let beside = Starter { executable: "../grafika".into(), program: Some("vjs") };
+        let text = |system| String::from_utf8(beside.script(system)).unwrap();
+        assert_eq!(text(System::Unix), "#!/bin/sh\nexec \"$(dirname -- \"$0\")\"/'../grafika' vjs \"$@\"\n");
+        assert_eq!(text(System::Windows), "@\"%~dp0..\\grafika\" vjs %*\r\n");
     }
 }

@@ -1,6 +1,6 @@
 //! The best results of games in a file of the state folder.
 
-use super::{UserFolder, read_regular, text, write_safely};
+use super::{UserFolder, read_regular, reason, text, write_safely};
 use crate::machine::{Best, Bests};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ impl BestsFile {
         match read_regular(path).and_then(text) {
             Ok(text) => serde_json::from_str(&text).map_err(|error| told(&error)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(BTreeMap::new()),
-            Err(error) => Err(told(&error)),
+            Err(error) => Err(told(&reason(&error))),
         }
     }
 }
@@ -56,9 +56,9 @@ impl Bests for BestsFile {
         let told = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let text = serde_json::to_string_pretty(&all).map_err(|error| told(&error))?;
         if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(|error| told(&error))?;
+            fs::create_dir_all(folder).map_err(|error| told(&reason(&error)))?;
         }
-        write_safely(path, text.as_bytes()).map_err(|error| told(&error))
+        write_safely(path, text.as_bytes()).map_err(|error| told(&reason(&error)))
     }
 }
 

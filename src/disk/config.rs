@@ -1,7 +1,7 @@
 //! The file that preferences are kept in: `config.toml` of the program's folder among the user's settings. What
 //! is wrong in it is told and left alone; it never keeps a program from starting.
 
-use super::{UserFolder, read_regular, text, write_safely};
+use super::{UserFolder, read_regular, reason, text, write_safely};
 use crate::machine::{Keeper, Preference, Preferences};
 use std::path::PathBuf;
 use std::{fs, io};
@@ -83,7 +83,7 @@ impl ConfigFile {
         let (preferences, problems) = match read_regular(&path).and_then(text) {
             Ok(text) => read(&text),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Default::default(),
-            Err(error) => (Preferences::default(), vec![error.to_string()]),
+            Err(error) => (Preferences::default(), vec![reason(&error)]),
         };
         let told = |problem| format!("{}: {problem}", path.display());
         (preferences, problems.into_iter().map(told).collect())
@@ -97,13 +97,13 @@ impl Keeper for ConfigFile {
         let text = match read_regular(&path).and_then(text) {
             Ok(text) => text,
             Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(told(&error)),
+            Err(error) => return Err(told(&reason(&error))),
         };
         let text = written(&text, preferences).map_err(|error| told(&error))?;
         if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(|error| told(&error))?;
+            fs::create_dir_all(folder).map_err(|error| told(&reason(&error)))?;
         }
-        write_safely(&path, text.as_bytes()).map_err(|error| told(&error))
+        write_safely(&path, text.as_bytes()).map_err(|error| told(&reason(&error)))
     }
 }
 

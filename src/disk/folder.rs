@@ -2,7 +2,7 @@
 
 use super::read::open_regular;
 use super::write::{is_open_for_reading, is_special};
-use super::{read_regular, write_safely};
+use super::{read_regular, reason, write_safely};
 use crate::machine::{Storage, StorageError, StorageProblem, Stream, check_name, sample_or_not_found};
 use std::fs;
 use std::io;
@@ -29,7 +29,7 @@ impl Folder {
 }
 
 fn system(name: &str, error: &io::Error) -> StorageError {
-    StorageError { name: name.to_string(), problem: StorageProblem::System(error.to_string()) }
+    StorageError { name: name.to_string(), problem: StorageProblem::System(reason(error)) }
 }
 
 impl Storage for Folder {

@@ -68,7 +68,10 @@ fn write(path: &Path, content: &[u8], access: Access) -> io::Result<()> {
     let mut naming = tempfile::Builder::new();
     naming.prefix(TEMPORARY[0]).suffix(TEMPORARY[1]);
     // Dropped, it is gone.
-    let mut file = naming.make_in(folder, |path| options.open(path))?;
+    let mut file = naming.make_in(folder, |path| options.open(path)).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => missing(folder),
+        _ => error,
+    })?;
     // The lock ends with the process, and tells others whether the file is still being written. Where there are no
     // locks, its age tells.
     let _ = file.as_file().try_lock();
@@ -108,6 +111,22 @@ pub(super) fn is_open_for_reading(path: &Path) -> io::Result<()> {
     #[cfg(not(unix))]
     let _ = path;
     Ok(())
+}
+
+/// A new file that is written little by little; one that is there is emptied.
+///
+/// # Errors
+/// The system's.
+pub fn create(path: &Path) -> io::Result<File> {
+    File::create(path).map_err(|error| match (error.kind(), path.parent()) {
+        (io::ErrorKind::NotFound, Some(folder)) => missing(folder),
+        _ => error,
+    })
+}
+
+/// What is said where the folder of a file is missing.
+fn missing(folder: &Path) -> io::Error {
+    io::Error::new(io::ErrorKind::NotFound, format!("there is no folder {}", folder.display()))
 }
 
 /// Where a path leads to: the file itself, or where it would be behind links that lead to nothing yet.

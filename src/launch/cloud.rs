@@ -2,6 +2,7 @@
 
 use super::open::{Tables, failure, input_kind, open_for};
 use super::{Failure, progress};
+use crate::disk::reason;
 use crate::file::{Cloud, CloudFormat, CloudReader, Document, FileKind, Format, TableOptions};
 use crate::machine::Stream;
 use std::io::{ErrorKind, Read};
@@ -62,7 +63,7 @@ pub(super) fn read(
             Ok(0) => break,
             Ok(length) => length,
             Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-            Err(error) => return Err(Failure::work(format!("{name}: {error}"))),
+            Err(error) => return Err(Failure::work(format!("{name}: {}", reason(&error)))),
         };
         reader.feed(piece.get(..length).unwrap_or_default()).map_err(|error| failure(name, &error))?;
         if let Some(bar) = &bar {

@@ -1,9 +1,10 @@
 //! `grafika config`, and the user's preferences at a start.
 
-use super::{Failure, say};
+use super::{Failure, meant, say};
 use crate::disk::ConfigFile;
 use crate::machine::{Keeper, Preference, Preferences};
 use crate::screen::visible;
+use serde_json::{Value, json};
 use std::path::Path;
 
 /// The user's preferences; what is wrong with them goes to stderr.
@@ -11,6 +12,36 @@ pub(super) fn preferences() -> Preferences {
     let (preferences, problems) = ConfigFile::read();
     problems.iter().for_each(|problem| say("grafika", problem));
     preferences
+}
+
+/// The setting of a name.
+fn named(key: &str) -> Result<Preference, Failure> {
+    Preference::from_key(key).ok_or_else(|| {
+        let known = Preference::ALL.map(Preference::key);
+        Failure::usage(format!(
+            "there is no setting {key:?}{}; there are {}",
+            meant(key, known),
+            known.join(", ")
+        ))
+    })
+}
+
+/// `grafika config --json`: all settings with their values, or one.
+///
+/// # Errors
+/// [`Failure`] when there is no such setting.
+pub fn settings(key: Option<&str>) -> Result<Value, Failure> {
+    let now = preferences();
+    let chosen = match key {
+        Some(key) => vec![named(key)?],
+        None => Preference::ALL.to_vec(),
+    };
+    let told = |preference: &Preference| {
+        let values = preference.values();
+        let value = json!({ "value": now.get(*preference), "values": values });
+        (preference.key().to_owned(), value)
+    };
+    Ok(Value::Object(chosen.iter().map(told).collect()))
 }
 
 /// `grafika config`: shows the settings, one setting, or changes it.
@@ -28,12 +59,11 @@ pub fn configure(key: Option<&str>, chosen: Option<&str>) -> Result<String, Fail
         }
         return Ok(text);
     };
-    let preference = Preference::from_key(key).ok_or_else(|| {
-        let known = Preference::ALL.map(Preference::key).join(", ");
-        Failure::usage(format!("there is no setting {key:?}; there are {known}"))
-    })?;
+    let preference = named(key)?;
     if let Some(chosen) = chosen {
-        now.set(preference, chosen).map_err(Failure::usage)?;
+        now.set(preference, chosen).map_err(|problem| {
+            Failure::usage(format!("{problem}{}", meant(chosen, preference.values().iter().copied())))
+        })?;
         if preference == Preference::Folder && now.folder.as_deref().is_some_and(|it| !Path::new(it).is_dir())
         {
             return Err(Failure::work(format!("{chosen}: there is no such folder")));

@@ -2,11 +2,10 @@
 
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
-use crate::disk::{read_limited, read_stream, text};
+use crate::disk::{create, read_limited, read_stream, reason, text};
 #[cfg(feature = "window")]
 use crate::display::window;
 use crate::machine::{Recorder, Script, Session, play};
-use std::fs::File;
 use std::io::IsTerminal;
 use std::path::Path;
 
@@ -59,7 +58,8 @@ fn path_of(path: Option<&Path>) -> String {
 }
 
 fn recorder(path: &Path, name: &str) -> Result<Recorder, Failure> {
-    let file = File::create(path).map_err(|error| Failure::work(format!("{}: {error}", path.display())))?;
+    let refused = |error| Failure::work(format!("{}: {}", path.display(), reason(&error)));
+    let file = create(path).map_err(refused)?;
     Ok(Recorder::new(Box::new(file), name))
 }
 
@@ -68,7 +68,7 @@ pub(super) fn read_script(path: &Path) -> Result<Script, Failure> {
     let shown = path.display();
     let read = if path == Path::new("-") { read_stream(std::io::stdin().lock()) } else { read_limited(path) };
     let text = read.and_then(text);
-    let text = text.map_err(|error| Failure::usage(format!("{shown}: {error}")))?;
+    let text = text.map_err(|error| Failure::usage(format!("{shown}: {}", reason(&error))))?;
     Script::parse(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
 }
 

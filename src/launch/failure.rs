@@ -70,9 +70,20 @@ impl From<clap::Error> for Failure {
         }
         let lines = text.lines().map(str::trim);
         let said = lines.filter(|line| !line.is_empty() && !line.starts_with("For more information"));
-        let message = said.collect::<Vec<_>>().join("; ");
+        let message = said.map(tip).collect::<Vec<_>>().join("; ");
         Failure::usage(message.strip_prefix("error: ").unwrap_or(&message))
     }
+}
+
+/// clap's line about names that are alike, as the other messages say it.
+fn tip(line: &str) -> String {
+    let alike = line.strip_prefix("tip: ").and_then(|tip| tip.split_once(": ")).filter(|(what, _)| {
+        what.contains("similar") && (what.ends_with("exists") || what.ends_with("exist"))
+    });
+    alike.map_or_else(
+        || line.to_owned(),
+        |(_, names)| format!("did you mean {}?", names.replace(", ", " or ").replace('\'', "\"")),
+    )
 }
 
 #[cfg(feature = "terminal")]
@@ -93,7 +104,7 @@ pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
             say(program, &text);
             ExitCode::from(status)
         }
-        Told::Answer(text) => exit(program, write_output(None, format!("{}\n", text.trim_end()).as_bytes())),
+        Told::Answer(text) => exit(program, write_output(format!("{}\n", text.trim_end()).as_bytes())),
         Told::Nothing => ExitCode::from(status),
     }
 }

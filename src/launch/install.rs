@@ -8,7 +8,8 @@ use crate::programs::groups::GROUPS;
 use crate::programs::telepit::installer::End;
 use crate::programs::telepit::installer::Installer;
 use crate::programs::telepit::job::{Answer, Job, Outcome, Step};
-use crate::programs::telepit::plan::{Plan, System};
+use crate::programs::telepit::plan::{Plan, System, Way};
+use crate::programs::telepit::removal::{self, Fate};
 use crate::programs::telepit::{PROGRAM, place, texts};
 use crate::screen::visible;
 use crate::ui::{Group, Words};
@@ -32,6 +33,12 @@ pub struct Install {
     /// Overwrite files without asking
     #[arg(long)]
     yes: bool,
+    /// Copy the executable into the folder, once for all programs, so that nothing there needs the place it came from
+    #[arg(long)]
+    copy: bool,
+    /// Programs alone, straight into the folder, without samples: for a folder on the path
+    #[arg(long)]
+    flat: bool,
     #[command(flatten)]
     run: RunOptions,
 }
@@ -44,13 +51,13 @@ impl Install {
     /// Examples of the command line under a name.
     pub fn examples(name: &str) -> String {
         format!(
-            "Examples:\n  {name}\n  {name} ~/grafika\n  {name} grafika --groups gb_2d,jatek\n  {name} grafika --groups all --yes"
+            "Examples:\n  {name}\n  {name} ~/grafika\n  {name} grafika --groups gb_2d,jatek\n  {name} grafika --groups all --yes\n  {name} ~/grafika --groups all --copy\n  {name} ~/.local/bin --groups all --flat --copy"
         )
     }
 
     /// The installer's page with some options.
     pub(super) fn shown(run: RunOptions) -> Install {
-        Install { folder: None, groups: Vec::new(), yes: false, run }
+        Install { folder: None, groups: Vec::new(), yes: false, copy: false, flat: false, run }
     }
 
     /// Installs.
@@ -58,13 +65,30 @@ impl Install {
     /// # Errors
     /// [`Failure`] when the command line is wrong, or a file cannot be written.
     pub fn run(&self) -> Result<(), Failure> {
+        self.run.check()?;
         if !self.groups.is_empty() {
+            if let Some(option) = self.run.for_displays() {
+                return Err(Failure::usage(format!(
+                    "{option} is for the installer's page; with --groups there is none"
+                )));
+            }
             return self.plainly();
         }
         let pictured = self.run.script.is_some()
             || self.run.record.is_some()
             || self.run.display.is_some_and(is_picture);
         if pictured {
+            let given = [
+                ("DIR", self.folder.is_some()),
+                ("--yes", self.yes),
+                ("--copy", self.copy),
+                ("--flat", self.flat),
+            ];
+            if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+                return Err(Failure::usage(format!(
+                    "{option}: the installer in a picture asks for this itself"
+                )));
+            }
             return PROGRAM.start(&self.run.with_file(None));
         }
         if !has_terminal() {
@@ -80,7 +104,7 @@ impl Install {
         let folder = self.folder.clone().unwrap_or_else(place::offered);
         let standing = self.yes.then_some(Answer::All);
         let folder = folder.display().to_string();
-        Installer::new(self.run.language(), folder, standing, Box::new(place::executable))
+        Installer::new(self.run.language(), folder, standing, Box::new(place::executable)).in_way(self.way())
     }
 
     #[cfg(feature = "terminal")]
@@ -100,6 +124,10 @@ impl Install {
         Err(Failure::usage("this build shows no pages: give the groups, as in --groups all --yes"))
     }
 
+    fn way(&self) -> Way {
+        Way { copy: self.copy, flat: self.flat }
+    }
+
     fn chosen(&self) -> Vec<&'static Group> {
         let named = |group: &&Group| self.groups.iter().any(|name| name.eq_ignore_ascii_case(group.id));
         let all = self.groups.iter().any(|name| name.eq_ignore_ascii_case(ALL));
@@ -108,7 +136,8 @@ impl Install {
 
     /// Installs without any page: a line for each file.
     fn plainly(&self) -> Result<(), Failure> {
-        let plan = Plan::new(&self.chosen(), &place::executable, System::HERE).map_err(Failure::work)?;
+        let plan =
+            Plan::new(&self.chosen(), &place::executable, System::HERE, self.way()).map_err(Failure::work)?;
         let folder = self.folder.clone().unwrap_or_else(place::offered);
         let language = self.run.language();
         let signals = Signals::watch();
@@ -131,10 +160,40 @@ impl Install {
                     drop(bar);
                     let lines = texts::report(&report, job.root());
                     let text: String = lines.iter().map(|line| format!("{}\n", line.of(language))).collect();
-                    return write_output(None, text.as_bytes());
+                    return write_output(text.as_bytes());
                 }
             }
         }
+    }
+}
+
+/// The command line of `grafika uninstall`.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  grafika uninstall\n  grafika uninstall ~/grafika")]
+pub struct Uninstall {
+    /// Folder that was installed into [default: grafika in your home folder]
+    #[arg(value_name = "DIR")]
+    folder: Option<PathBuf>,
+}
+
+impl Uninstall {
+    /// Takes an installation back, with a line for each file.
+    ///
+    /// # Errors
+    /// [`Failure`] when nothing was installed there, or something cannot be removed.
+    pub fn run(&self) -> Result<(), Failure> {
+        let folder = self.folder.clone().unwrap_or_else(place::offered);
+        let mut text = String::new();
+        let done = removal::remove(&folder, |path, fate| {
+            let what = match fate {
+                Fate::Removed => "removed",
+                Fate::Missing => "was gone already",
+                Fate::Changed => "is not what was installed, and stays",
+            };
+            text += &format!("{}: {what}\n", path.display());
+        });
+        write_output(text.as_bytes())?;
+        done.map_err(Failure::work)
     }
 }
 

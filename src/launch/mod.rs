@@ -4,10 +4,12 @@
 //! Exit status: 0 done, 1 the work failed, 2 the command line or the script is wrong.
 
 mod cloud;
+mod completions;
 mod config;
 mod display;
 mod failure;
 mod install;
+mod meant;
 mod open;
 mod options;
 mod outlet;
@@ -16,15 +18,16 @@ pub mod progress;
 mod table;
 
 pub use cloud::open_cloud;
-pub use config::configure;
+pub use completions::{ShellName, complete, completed, registration, words};
+pub use config::{configure, settings};
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
-pub use install::Install;
+pub use install::{Install, Uninstall};
+pub use meant::meant;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{Tables, folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
-pub use outlet::{say, write_output};
-
+pub use outlet::{Overwrite, Target, say, write_file, write_output};
 pub use table::TableArgs;
 
 use crate::file::{Document, Format};
@@ -52,7 +55,8 @@ fn examples(program: &Program) -> String {
 impl Program {
     /// The `main` of a program with its own binary.
     pub fn main(&self) -> ExitCode {
-        exit(self.manual.name, self.start_from(std::env::args_os()))
+        let asked = complete(|| self.command());
+        exit(self.manual.name, asked.unwrap_or_else(|| self.start_from(std::env::args_os())))
     }
 
     /// Starts the program with a command line, whose first word is the program's name.
@@ -103,8 +107,12 @@ impl Program {
     /// # Errors
     /// [`Failure`] when a file, a script or a display does not work.
     pub fn start(&self, options: &Options) -> Result<(), Failure> {
+        options.run.check()?;
         let (path, run_options) = (options.file.as_deref(), options.run.preferred());
         let table = options.table.options();
+        if let (Some(option), None) = (options.table.given(), path) {
+            return Err(Failure::usage(format!("{option} is for a table that is opened; no file is named")));
+        }
         let script = run_options.script.as_deref().map(display::read_script).transpose()?;
         let folder = path.map_or_else(|| run_options.folder(), folder_of);
         let mut machine = run_options.machine(folder, script.as_ref());

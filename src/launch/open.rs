@@ -1,9 +1,9 @@
 //! Finding and reading the file that a command line names.
 
-use super::{Failure, cloud};
-use crate::disk::{Folder, LARGEST_FILE, open_stream, read_limited, read_stream};
+use super::{Failure, cloud, meant};
+use crate::disk::{Folder, LARGEST_FILE, open_stream, read_limited, read_stream, reason};
 use crate::file::{Document, FileError, FileKind, Format, TABLES, TableOptions};
-use crate::machine::{Storage, StorageError, StorageProblem, Stream};
+use crate::machine::{SAMPLES, Storage, StorageError, StorageProblem, Stream};
 use crate::work::with_twin;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -117,7 +117,7 @@ fn of_path<T>(
 ) -> Result<T, Failure> {
     let failure = |problem: String| Failure::work(format!("{}: {problem}", path.display()));
     if std::fs::metadata(path).is_ok_and(|about| !about.is_file()) {
-        return special(path).map_err(|error| failure(error.to_string()));
+        return special(path).map_err(|error| failure(reason(&error)));
     }
     let bare = folder_of(path).as_os_str().is_empty();
     if !bare && storage.find(file_name).is_none() {
@@ -125,7 +125,11 @@ fn of_path<T>(
     }
     stored(storage).map_err(|error| match &error.problem {
         StorageProblem::NotFound => {
-            failure("there is no such file, neither in this folder nor among the built-in samples".to_owned())
+            let samples = SAMPLES.iter().map(|(name, _)| *name);
+            failure(format!(
+                "there is no such file, neither in this folder nor among the built-in samples{}",
+                meant(file_name, samples)
+            ))
         }
         StorageProblem::System(message) => failure(message.clone()),
         StorageProblem::BadName(_) => Failure::work(error),
@@ -155,8 +159,8 @@ fn open_stdin(from: Option<FileKind>, table: &TableOptions, tables: Tables) -> R
             Document::Cloud(cloud::read(&name, stream, format, table)?)
         }
         None => {
-            let content =
-                read_stream(io::stdin().lock()).map_err(|error| Failure::work(format!("{name}: {error}")))?;
+            let content = read_stream(io::stdin().lock())
+                .map_err(|error| Failure::work(format!("{name}: {}", reason(&error))))?;
             Document::decode_table(kind, &content, table).map_err(|error| failure(&name, &error))?
         }
     };
@@ -178,9 +182,12 @@ pub fn kind_of(path: &Path) -> Result<FileKind, Failure> {
     FileKind::from_name(&name).ok_or_else(|| {
         let known: Vec<String> =
             Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        let names = known.iter().map(String::as_str).chain([".json", ".csv"]);
+        let alike = meant(&format!(".{extension}"), names);
         let (known, tables) = (known.join(" "), TABLES.join(" ."));
         Failure::work(format!(
-            "{name}: no data file has this extension; there are {known} .json .csv, and for reading .{tables}"
+            "{name}: no data file has this extension{alike}; there are {known} .json .csv, and for reading .{tables}"
         ))
     })
 }

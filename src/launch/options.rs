@@ -1,6 +1,6 @@
 //! The options that every program takes.
 
-use super::{TableArgs, config, say};
+use super::{Failure, TableArgs, config, say};
 use crate::disk::{BestsFile, ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
 use crate::machine::{Keeper, Language, Machine, Manner, Preferences, Script, Settings, Shown};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -78,6 +78,36 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
+    /// An option that says how a program is shown or played, if one is given.
+    pub(super) fn for_displays(&self) -> Option<&'static str> {
+        let given = [
+            ("--display", self.display.is_some()),
+            ("--scale", self.scale.is_some()),
+            ("--script", self.script.is_some()),
+            ("--record", self.record.is_some()),
+            ("--seed", self.seed.is_some()),
+            ("--manner", self.manner.is_some()),
+        ];
+        given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
+    /// Refuses options that have no effect together.
+    ///
+    /// # Errors
+    /// [`Failure`] that says which.
+    pub fn check(&self) -> Result<(), Failure> {
+        let shown = self.display.filter(|display| *display != DisplayKind::None);
+        let refused = match (&self.script, shown, self.scale) {
+            (Some(_), Some(_), _) => "--display: a script plays without display; --record keeps what it does",
+            (Some(_), _, Some(_)) => "--scale is for windows; a script plays without display",
+            (None, Some(DisplayKind::Terminal), Some(_)) => {
+                "--scale is for windows; the terminal has its own size"
+            }
+            _ => return Ok(()),
+        };
+        Err(Failure::usage(refused))
+    }
+
     /// The language of the program's texts: as asked for, Hungarian in scripts, else the locale's.
     pub fn language(&self) -> Language {
         match self.lang {

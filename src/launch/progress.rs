@@ -41,7 +41,7 @@ impl Bar {
     /// Writes a line to standard output, above the bar. A line that cannot be written does not stop the work.
     pub fn line(&self, text: &str) {
         self.0.suspend(|| {
-            let _ = write_output(None, format!("{}\n", visible(text)).as_bytes());
+            let _ = write_output(format!("{}\n", visible(text)).as_bytes());
         });
     }
 

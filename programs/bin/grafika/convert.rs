@@ -5,7 +5,7 @@ use clap::Args;
 use grafika::design::{self, NetDesign};
 use grafika::file::ec::EcDocument;
 use grafika::file::{CloudFormat, Document, FileKind, Format, Method, PlanePoints};
-use grafika::launch::{Failure, Opened, say, write_output};
+use grafika::launch::{Failure, Opened, Overwrite, say};
 use grafika::machine::Language;
 use grafika::work;
 use std::path::{Path, PathBuf};
@@ -26,6 +26,8 @@ pub(crate) struct Convert {
     /// Format of what is written (ip2, json, csv, ...), where no name says it
     #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]
     to: Option<FileKind>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl Convert {
@@ -80,11 +82,11 @@ impl Convert {
         if is_stream(&self.output) && twin.take().is_some() {
             lost.push("tangents".to_owned());
         }
-        write_output(Some(&self.output), &content)?;
+        self.overwrite.write(Some(&self.output), &content)?;
         if let Some((name, content)) = twin {
             // Only the extension differs.
             let extension = Path::new(&name).extension().unwrap_or_default();
-            write_output(Some(&self.output.with_extension(extension)), &content)?;
+            self.overwrite.write(Some(&self.output.with_extension(extension)), &content)?;
         }
         if !lost.is_empty() {
             let target = if is_stream(&self.output) { "standard output".to_owned() } else { output };

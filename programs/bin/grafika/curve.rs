@@ -4,7 +4,7 @@ use crate::source::Source;
 use crate::surface::{Common, SurfaceArgs};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use grafika::design::{Design, DesignError, Shape};
+use grafika::design::{Design, DesignError, Shape, Sketch};
 use grafika::file::{CurveSettings, Document, Method};
 use grafika::geometry::Point;
 use grafika::geometry::ph::Knots;
@@ -68,7 +68,10 @@ impl CurveArgs {
             Design::Net(net) => {
                 let (k0, bias, tension) = (self.k0, self.bias, self.tension);
                 let common = Common { method: self.named(), k0, bias, tension };
-                Design::Net(self.surface.net(net, common)?)
+                let net = self.surface.net(net, common)?;
+                let by = self.surface.by_direction();
+                self.check_parameters(Some(net.method()), by, false)?;
+                Design::Net(net)
             }
             design @ (Design::Ec(_)
             | Design::Patches(_)
@@ -76,14 +79,7 @@ impl CurveArgs {
             | Design::KnotNet(_)
             | Design::Shaped(_)
             | Design::Skin(_)) => {
-                let given = [
-                    ("--method", self.method.is_some()),
-                    ("--closed", self.closed),
-                    ("--k0", self.k0.is_some()),
-                    ("--bias", self.bias.is_some()),
-                    ("--tension", self.tension.is_some()),
-                ];
-                if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+                if let Some(option) = self.of_points() {
                     return Err(Failure::usage(format!(
                         "{option} is for other curves and surfaces; {name} says itself what it describes"
                     )));
@@ -91,9 +87,9 @@ impl CurveArgs {
                 design
             }
             Design::Rational(spans) => {
-                if self.method.is_some() || self.closed {
+                if let Some(option) = self.of_points() {
                     return Err(Failure::usage(format!(
-                        "--method and --closed are for control points; {name} holds a rational curve as it is"
+                        "{option} is for control points; {name} holds a rational curve as it is"
                     )));
                 }
                 Design::Rational(spans)
@@ -102,6 +98,11 @@ impl CurveArgs {
                 if self.named().is_some_and(|other| other != Method::Fourier) {
                     return Err(Failure::usage(format!(
                         "{name}: coefficients of a Fourier curve have no other method than fourier"
+                    )));
+                }
+                if let Some(option) = self.of_points().filter(|option| *option != "--method") {
+                    return Err(Failure::usage(format!(
+                        "{option} is for control points; {name} holds coefficients of a Fourier curve, which is closed"
                     )));
                 }
                 Design::Fourier(coefficients)
@@ -115,10 +116,12 @@ impl CurveArgs {
                         "{option} is for phspline; {method} has no such thing"
                     )));
                 }
+                self.check_sketch(&sketch)?;
                 Design::Plane(sketch)
             }
             Design::Space(mut sketch) => {
                 self.apply(&mut sketch.settings);
+                self.check_sketch(&sketch)?;
                 Design::Space(sketch)
             }
         };
@@ -146,6 +149,65 @@ impl CurveArgs {
         settings.knots = self.knots.as_deref().and_then(Knots::from_name).or(settings.knots);
         settings.start = self.start.or(settings.start);
         settings.end = self.end.or(settings.end);
+    }
+
+    /// An option that says how control points become a curve, if one is given.
+    fn of_points(&self) -> Option<&'static str> {
+        let given = [
+            ("--method", self.method.is_some()),
+            ("--closed", self.closed),
+            ("--k0", self.k0.is_some()),
+            ("--bias", self.bias.is_some()),
+            ("--tension", self.tension.is_some()),
+        ];
+        given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
+    }
+
+    fn check_sketch<const D: usize>(&self, sketch: &Sketch<D>) -> Result<(), Failure> {
+        if let (Some(option), Some(_)) = (self.of_beta(), &sketch.joints) {
+            return Err(Failure::usage(format!(
+                "{option} is for all joints at once; this file says the shape of each"
+            )));
+        }
+        self.check_parameters(sketch.method(), [None; 2], sketch.tangents.is_some())
+    }
+
+    fn of_beta(&self) -> Option<&'static str> {
+        let given = [("--bias", self.bias), ("--tension", self.tension)];
+        given.into_iter().find(|(_, value)| value.is_some()).map(|(option, _)| option)
+    }
+
+    /// Refuses parameters that the method does not have; `by` are those of surfaces by direction, of beta-splines and of
+    /// tangents.
+    fn check_parameters(
+        &self,
+        method: Option<Method>,
+        by: [Option<&'static str>; 2],
+        has_tangents: bool,
+    ) -> Result<(), Failure> {
+        // Without a method something else is told.
+        let Some(method) = method else { return Ok(()) };
+        let [beta, tangents] = by;
+        let beta = beta.or(self.of_beta()).filter(|_| method != Method::Beta);
+        if let Some(option) = beta {
+            let method = method.name();
+            return Err(Failure::usage(format!("{option} is for beta; {method} has no such thing")));
+        }
+        let automatic = match method {
+            Method::Coons | Method::Local => true,
+            Method::PhHermite => !has_tangents,
+            _ => false,
+        };
+        match tangents.or(self.k0.map(|_| "--k0")).filter(|_| !automatic) {
+            Some(option) => {
+                let method = method.name();
+                Err(Failure::usage(match has_tangents {
+                    true => format!("{option} is for automatic tangents; this file has its own"),
+                    false => format!("{option} is for coons and local; {method} has no such thing"),
+                }))
+            }
+            None => Ok(()),
+        }
     }
 
     /// An option that only phspline has, if one is given.

@@ -8,7 +8,7 @@ use grafika::design::ec::{Bases, MOST_PARTS, equal_parts, patch_space};
 use grafika::file::ec::{Coefficients, EcDocument, Item, Scene};
 use grafika::file::{Document, FileKind};
 use grafika::geometry::ec::{EcError, Real, Root};
-use grafika::launch::{Failure, Opened, progress, write_output};
+use grafika::launch::{Failure, Opened, Overwrite, progress};
 use std::path::PathBuf;
 
 /// A direction of a surface.
@@ -27,6 +27,8 @@ struct Target {
     /// Format of what is written (json, kcg, kcj, ...), where no name says it
     #[arg(long, value_name = "EXT", value_parser = kind_by_extension)]
     to: Option<FileKind>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl Target {
@@ -42,7 +44,7 @@ impl Target {
             Some(path) => Failure::work(format!("{}: {error}", path.display())),
             None => Failure::work(error),
         })?;
-        write_output(output, &content)
+        self.overwrite.write(output, &content)
     }
 }
 

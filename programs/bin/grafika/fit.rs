@@ -12,7 +12,7 @@ use grafika::geometry::ParamSurface;
 use grafika::geometry::cloud::Cloud;
 use grafika::geometry::fit::{Fit, Fitted, Report};
 use grafika::geometry::kohonen::{Learning, Net, Order, Rule, Topology, Weighting};
-use grafika::launch::{Failure, TableArgs, open, open_cloud, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, TableArgs, Target, open, open_cloud, progress, say};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -46,9 +46,9 @@ pub(crate) struct FitArgs {
     /// Steps of learning [default: 100 for every neuron]
     #[arg(long, value_name = "T", conflicts_with = "grow")]
     steps: Option<u64>,
-    /// Seed of the random numbers
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    seed: u64,
+    /// Seed of the random numbers [default: 1]
+    #[arg(long, value_name = "S")]
+    seed: Option<u64>,
     /// How the net is joined [default: open]
     #[arg(long, value_parser = PossibleValuesParser::new(Topology::ALL.map(Topology::name)))]
     topology: Option<String>,
@@ -70,6 +70,8 @@ pub(crate) struct FitArgs {
     /// The order in which points are learnt; file goes through them once
     #[arg(long, default_value = "random", value_parser = PossibleValuesParser::new(["random", "file"]))]
     order: String,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// What is written.
@@ -95,8 +97,12 @@ impl FitArgs {
             // What the fit would refuse after all the learning is refused at once.
             Fit::new(&cloud, &start, corrections).map_err(|error| failed(&error))?;
         }
+        // Asked before the work, not after it.
+        let output = self.overwrite.target(Some(&self.output))?;
+        let distances =
+            self.residuals.as_deref().map(|path| self.overwrite.target(Some(path))).transpose()?;
         let mut learning = match self.grow {
-            Some(limit) => Learning::growing(&cloud, start, limit, self.seed),
+            Some(limit) => Learning::growing(&cloud, start, limit, self.seed()),
             None => Learning::new(&cloud, start, self.rule()),
         }
         .map_err(|error| failed(&error))?;
@@ -112,7 +118,7 @@ impl FitArgs {
         if matches!(wanted, Wanted::Net) {
             let net = learning.net();
             let document = SomNet { topology: net.topology(), points: net.rows() };
-            return self.document(Document::Som(Box::new(document)));
+            return written(&output, Document::Som(Box::new(document)));
         }
         let mut fit = Fit::new(&cloud, learning.net(), corrections).map_err(|error| failed(&error))?;
         let alive = progress::alive("fitting");
@@ -124,21 +130,27 @@ impl FitArgs {
         };
         drop(alive);
         say("grafika", &format!("{name}: {}", told(&report)));
-        if let Some(path) = &self.residuals {
-            write_output(Some(path), residuals(&cloud, fit.distances()).as_bytes())?;
+        if let Some(target) = &distances {
+            target.write(residuals(&cloud, fit.distances()).as_bytes())?;
         }
         let fitted = fit.fitted().map_err(|error| failed(&error))?;
         match wanted {
-            Wanted::Model(format) => self.model(&fitted, format),
-            _ => self.document(match &fitted {
-                Fitted::Surface(surface) => Document::KnotNet(Box::new(KnotNet::of(surface))),
-                Fitted::Curve(curve) => knots::document(curve).into(),
-            }),
+            Wanted::Model(format) => self.model(&output, &fitted, format),
+            _ => written(
+                &output,
+                match &fitted {
+                    Fitted::Surface(surface) => Document::KnotNet(Box::new(KnotNet::of(surface))),
+                    Fitted::Curve(curve) => knots::document(curve).into(),
+                },
+            ),
         }
     }
 
     fn wanted(&self) -> Result<Wanted, Failure> {
         let fitted = self.corrections.is_some() || self.residuals.is_some();
+        if self.initial.is_some() && self.order == "file" && self.seed.is_some() {
+            return Err(Failure::usage("--seed: with --initial and --order file nothing is left to chance"));
+        }
         let extension = extension(Some(&self.output));
         let wanted = match extension.as_deref() {
             Some("som") => Wanted::Net,
@@ -176,10 +188,14 @@ impl FitArgs {
         }
     }
 
+    fn seed(&self) -> u64 {
+        self.seed.unwrap_or(1)
+    }
+
     fn rule(&self) -> Rule {
         Rule {
             weighting: Weighting::of_name(&self.weighting).unwrap_or(Weighting::Gauss),
-            order: if self.order == "file" { Order::Listed } else { Order::Random(self.seed) },
+            order: if self.order == "file" { Order::Listed } else { Order::Random(self.seed()) },
             steps: self.steps,
             ..Rule::default()
         }
@@ -190,8 +206,8 @@ impl FitArgs {
         let Some(path) = &self.initial else {
             let topology = topology.unwrap_or(Topology::Open);
             let net = match self.grow {
-                Some(_) => Net::seedling(cloud, topology, self.seed),
-                None => Net::random(cloud, self.grid.unwrap_or([20, 20]), topology, self.seed),
+                Some(_) => Net::seedling(cloud, topology, self.seed()),
+                None => Net::random(cloud, self.grid.unwrap_or([20, 20]), topology, self.seed()),
             };
             return net.map_err(Failure::work);
         };
@@ -214,12 +230,7 @@ impl FitArgs {
             .map_err(|error| Failure::work(format!("{}: {error}", opened.name)))
     }
 
-    fn document(&self, document: Document) -> Result<(), Failure> {
-        let text = document.to_json().map_err(Failure::work)?;
-        write_output(Some(&self.output), text.as_bytes())
-    }
-
-    fn model(&self, fitted: &Fitted, format: Picture) -> Result<(), Failure> {
+    fn model(&self, output: &Target<'_>, fitted: &Fitted, format: Picture) -> Result<(), Failure> {
         // Checked before anything was learnt.
         let Some(surface) = fitted.surface() else { return Ok(()) };
         let name =
@@ -231,8 +242,13 @@ impl FitArgs {
         if let Some(warning) = warning {
             say("grafika", &warning);
         }
-        write_output(Some(&self.output), &content)
+        output.write(&content)
     }
+}
+
+fn written(output: &Target<'_>, document: Document) -> Result<(), Failure> {
+    let text = document.to_json().map_err(Failure::work)?;
+    output.write(text.as_bytes())
 }
 
 /// Four digits.

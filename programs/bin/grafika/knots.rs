@@ -7,7 +7,7 @@ use grafika::design::knots::{Curve, curve, document};
 use grafika::file::{Document, KnotNet, Places};
 use grafika::geometry::knots::{KnotCurve, KnotError, Pair, Through, Way};
 use grafika::geometry::{Point, norm};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, Overwrite, meant, words, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -53,6 +53,8 @@ struct DocumentArgs {
     /// Where to write [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 #[derive(Args)]
@@ -128,7 +130,7 @@ struct ThroughArgs {
     point: Numbers,
     /// What moves: outer, pair:outer, pair:left, pair:right, pair:left-cross, pair:right-cross, pair:inner, one,
     /// weights, or any
-    #[arg(long, value_name = "WAY", value_parser = By::parse)]
+    #[arg(long, value_name = "WAY", value_parser = By::parse, add = words(&WAYS))]
     by: By,
     /// The span, for outer
     #[arg(long, value_name = "J")]
@@ -146,6 +148,20 @@ struct ThroughArgs {
     #[arg(long, value_name = "A,B")]
     weights: Option<Numbers>,
 }
+
+/// The names of what moves.
+const WAYS: [&str; 10] = [
+    "outer",
+    "pair:outer",
+    "pair:left",
+    "pair:right",
+    "pair:left-cross",
+    "pair:right-cross",
+    "pair:inner",
+    "one",
+    "weights",
+    "any",
+];
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,10 +183,7 @@ impl By {
             "any" => Some(By::Any),
             _ => text.strip_prefix("pair:").and_then(pair),
         };
-        by.ok_or_else(|| {
-            let pairs: Vec<String> = Pair::ALL.iter().map(|pair| format!("pair:{}", pair.name())).collect();
-            format!("there are outer, {}, one, weights and any", pairs.join(", "))
-        })
+        by.ok_or_else(|| format!("there are {}{}", WAYS.join(", "), meant(text, WAYS)))
     }
 
     fn name(self) -> String {
@@ -209,7 +222,7 @@ impl Source {
 
 /// One line of JSON on standard output.
 fn answer(value: &Value) -> Result<(), Failure> {
-    write_output(None, format!("{value}\n").as_bytes())
+    write_output(format!("{value}\n").as_bytes())
 }
 
 /// The same for curves of the plane and in space.
@@ -291,7 +304,7 @@ impl DocumentArgs {
     {
         let document = Document::from(document(&curve.map_err(Failure::work)?));
         let text = document.to_json().map_err(Failure::work)?;
-        write_output(self.output.as_deref(), text.as_bytes())
+        self.overwrite.write(self.output.as_deref(), text.as_bytes())
     }
 }
 
@@ -344,8 +357,12 @@ fn size<const D: usize>(points: &[Point<D>]) -> f64 {
 
 impl ThroughArgs {
     fn run(&self) -> Result<(), Failure> {
+        self.check()?;
         let opened = self.source.open()?;
         if let Document::KnotNet(net) = &opened.document {
+            if self.span.is_some() {
+                return Err(Failure::usage("--span is for curves; this file holds a surface"));
+            }
             return self.surface(net);
         }
         let point: Point<2> = places(&self.point, "--point", "X,Y")?;
@@ -367,6 +384,24 @@ impl ThroughArgs {
                 answer(&told)?;
                 Err(Failure::work(reason))
             }
+        }
+    }
+
+    /// Refuses options that belong to another way.
+    fn check(&self) -> Result<(), Failure> {
+        let (outer, weights, any) = (self.by == By::Outer, self.by == By::Weights, self.by == By::Any);
+        let unused = [
+            ("--span", self.span.is_some() && !outer),
+            ("--knot", self.knot.is_some() && (outer || any)),
+            ("--value", self.value.is_some() && !weights),
+            ("--at", self.at.is_some() && (any || self.by == By::One)),
+            ("--weights", self.weights.is_some() && !weights),
+        ];
+        match unused.into_iter().find(|(_, unused)| *unused) {
+            Some((option, _)) => {
+                Err(Failure::usage(format!("{option} is for another way than --by {}", self.by.name())))
+            }
+            None => Ok(()),
         }
     }
 

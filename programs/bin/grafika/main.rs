@@ -6,11 +6,13 @@ mod convert;
 mod curve;
 mod ec;
 mod fit;
+mod info;
 mod knots;
 mod measure;
 mod normals;
 mod numbers;
 mod offset;
+mod page;
 mod ph;
 mod picture;
 mod poly;
@@ -26,16 +28,17 @@ mod space;
 mod surface;
 
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Install, Options, RunOptions, exit, write_output};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use grafika::launch::{
+    Failure, Install, Options, RunOptions, Uninstall, complete, exit, meant, write_output,
+};
 use grafika::programs::{self, ALL};
-use grafika::screen::visible;
 #[cfg(feature = "terminal")]
 use grafika::{launch::DisplayKind, programs::menu::text::TextMenu, textmode::in_terminal};
-use source::Source;
+use serde_json::{Value, json};
 use std::ffi::OsString;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// The programs of János Füzi's book "Interaktív grafika"; without a command, the menu
@@ -54,12 +57,6 @@ const EXAMPLES: &str = "Examples:
   grafika --display terminal
   grafika render A.IP2 --method spline --closed -o a.svg";
 
-const INFO_EXAMPLES: &str = "Examples:
-  grafika info A.IP2
-  grafika info \"0^3,i^2,2i\"
-  grafika info measured.csv --columns time,volts
-  cat a.json | grafika info - --from json";
-
 const COMPLETIONS_EXAMPLES: &str = "Examples:
   grafika completions bash > grafika.bash
   grafika completions zsh gb_2d_ip > _gb_2d_ip";
@@ -67,14 +64,13 @@ const COMPLETIONS_EXAMPLES: &str = "Examples:
 #[derive(Subcommand)]
 enum Command {
     /// List the programs
-    #[command(after_help = "Examples:\n  grafika list")]
-    List,
+    #[command(after_help = "Examples:\n  grafika list\n  grafika list --json")]
+    List(List),
     /// Open a data file with its program; without a file, the menu
     #[command(after_help = "Examples:\n  grafika open A.ZMS\n  grafika open a.json --lang en")]
     Open(Options),
-    /// Tell what a data file holds, or what an extended Chebyshev space is
-    #[command(after_help = INFO_EXAMPLES)]
-    Info(Source),
+    /// Tell what data files hold, or what an extended Chebyshev space is
+    Info(info::Info),
     /// Write points of a curve or a surface as CSV or JSON
     Sample(sample::Sample),
     /// Draw a curve or a surface as PNG, SVG or PDF; write a surface as OBJ, STL, PLY or STEP
@@ -112,6 +108,8 @@ enum Command {
     /// Install programs with their samples into a folder, on a page of text or as a plain command
     #[command(after_help = Install::examples("grafika install"))]
     Install(Install),
+    /// Take back what was installed into a folder, as noted there; what has been changed since stays
+    Uninstall(Uninstall),
     /// Write completions of the command line for a shell
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(reference::Completions),
@@ -130,23 +128,25 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
-    if let Some(words) = linked_name() {
+    let linked = linked_name();
+    let called = linked.as_ref().and_then(|words| programs::by_name(words.first()?.to_str()?));
+    if let Some(answer) = complete(|| called.map_or_else(reference::unbuilt, |program| program.command())) {
+        return answer;
+    }
+    if let Some(words) = linked {
         return run_program(words);
     }
-    let cli = Cli::try_parse()?;
+    if let Some(help) = program_help() {
+        return Err(help);
+    }
+    let matches = Cli::command().try_get_matches()?;
+    check_outputs(&matches)?;
+    let cli = Cli::from_arg_matches(&matches)?;
     match cli.command {
         None => show_menu(&cli.options),
-        Some(Command::List) => write_output(None, list().as_bytes()),
+        Some(Command::List(list)) => list.run(),
         Some(Command::Open(options)) => open_with_program(&options),
-        Some(Command::Info(source)) => {
-            let document = match space::written(&source)? {
-                Some(space) => space.into(),
-                None => source.open()?.document,
-            };
-            let lines = document.describe();
-            let text: String = lines.iter().map(|line| format!("{}\n", visible(line))).collect();
-            write_output(None, text.as_bytes())
-        }
+        Some(Command::Info(info)) => info.run(),
         Some(Command::Sample(sample)) => sample.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Measure(measure)) => measure.run(),
@@ -165,6 +165,7 @@ fn run() -> Result<(), Failure> {
         Some(Command::Shape(shape)) => shape.run(),
         Some(Command::Skin(skin)) => skin.run(),
         Some(Command::Install(install)) => install.run(),
+        Some(Command::Uninstall(uninstall)) => uninstall.run(),
         Some(Command::Config(config)) => config.run(),
         Some(Command::Completions(completions)) => completions.run(),
         Some(Command::Man(manuals)) => manuals.run(),
@@ -172,8 +173,24 @@ fn run() -> Result<(), Failure> {
     }
 }
 
+/// The options and arguments that name a file to be written.
+const OUTPUTS: [&str; 3] = ["output", "nc", "residuals"];
+
+/// Says of a folder that is named as a file what it is, before anything is done.
+fn check_outputs(matches: &ArgMatches) -> Result<(), Failure> {
+    let named = |id: &&str| matches.try_get_one::<PathBuf>(id).ok().flatten();
+    match (OUTPUTS.iter().filter_map(named).find(|path| path.is_dir()), matches.subcommand()) {
+        (Some(folder), _) => {
+            Err(Failure::work(format!("{}: this is a folder, not a file", folder.display())))
+        }
+        (None, Some((_, below))) => check_outputs(below),
+        (None, None) => Ok(()),
+    }
+}
+
 /// The menu: in the terminal a page of text, elsewhere a picture.
 fn show_menu(options: &RunOptions) -> Result<(), Failure> {
+    options.check()?;
     let options = &options.preferred();
     #[cfg(feature = "terminal")]
     if grafika::launch::in_terminal(options) {
@@ -221,14 +238,56 @@ fn linked_name() -> Option<Vec<OsString>> {
     })
 }
 
-/// Every program with a line about it.
-fn list() -> String {
-    let mut text = String::new();
-    for program in ALL {
+/// The command line of `grafika list`.
+#[derive(clap::Args)]
+struct List {
+    /// Tell names, groups, formats and what the programs are, as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl List {
+    /// Every program with a line about it.
+    fn run(&self) -> Result<(), Failure> {
+        let mut text = String::new();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1);
+        let _ = match self.json {
+            false => ALL.iter().try_for_each(|program| {
+                writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1)
+            }),
+            true => {
+                let programs = ALL.iter().map(|program| {
+                    let manual = program.manual;
+                    let opens = program.opens.iter().map(|format| format.extension());
+                    json!({
+                        "name": manual.name,
+                        "about": { "en": manual.about.1, "hu": manual.about.0 },
+                        "group": program.group.id,
+                        "chapter": program.chapter,
+                        "opens": opens.collect::<Vec<_>>(),
+                    })
+                });
+                writeln!(text, "{:#}", Value::Array(programs.collect()))
+            }
+        };
+        write_output(text.as_bytes())
     }
-    text
+}
+
+/// The help of a program, as `grafika help NAME` shows it, or that nothing has this name; that of a command is clap's.
+fn program_help() -> Option<Failure> {
+    let words: Vec<OsString> = std::env::args_os().skip(1).collect();
+    let [help, name] = words.as_slice() else { return None };
+    let name = name.to_str().filter(|_| help == "help")?;
+    match programs::by_name(&name.to_lowercase()) {
+        Some(program) => {
+            let asked = program.command().try_get_matches_from([program.manual.name, "--help"]);
+            asked.err().map(Failure::from)
+        }
+        None => {
+            Cli::command().find_subcommand(name).is_none().then(|| unknown(name)).filter(|_| name != "help")
+        }
+    }
 }
 
 /// Starts the program that the first word names, in whatever case, with the rest as its command line.
@@ -236,16 +295,20 @@ fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
     let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
     match programs::by_name(&name) {
         Some(program) => program.start_from(words),
-        None => {
-            let programs: Vec<&str> = ALL.iter().map(|program| program.manual.name).collect();
-            let known = Cli::command();
-            let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
-            let message = format!(
-                "there is no command or program {name:?}; commands are {}, programs are {}",
-                commands.join(", "),
-                programs.join(", ")
-            );
-            Err(Cli::command().error(ErrorKind::InvalidSubcommand, message).into())
-        }
+        None => Err(unknown(&name)),
     }
+}
+
+/// That there is no such name, and which there are.
+fn unknown(name: &str) -> Failure {
+    let programs: Vec<&str> = ALL.iter().map(|program| program.manual.name).collect();
+    let known = Cli::command();
+    let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
+    let message = format!(
+        "there is no command or program {name:?}{}; commands are {}, programs are {}",
+        meant(name, commands.iter().chain(&programs).copied()),
+        commands.join(", "),
+        programs.join(", ")
+    );
+    Cli::command().error(ErrorKind::InvalidSubcommand, message).into()
 }

@@ -16,7 +16,7 @@ use grafika::figure::{
 use grafika::file::{Document, FileKind, number};
 use grafika::geometry::ph::{Offset, OffsetPart, Place, chords};
 use grafika::geometry::{BoundingBox, GeometryError, ParamCurve, ParamSurface, View};
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -59,6 +59,8 @@ pub(crate) struct OffsetArgs {
     /// Feed in mm a minute, for --nc
     #[arg(long, value_name = "F", default_value_t = 100.0, value_parser = positive, requires = "nc")]
     feed: f64,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// The tolerance of moves in millimetres for which none is given.
@@ -94,6 +96,8 @@ impl OffsetArgs {
         let said = self.to.as_ref().map(|said| said.to_lowercase());
         let output = self.output.as_deref().filter(|path| !is_stream(path));
         let wanted = said.or_else(|| extension(output));
+        let picture = matches!(wanted.as_deref(), Some("svg" | "pdf" | "png"));
+        self.check(wanted.as_deref() == Some("csv"), picture || self.nc.is_some())?;
         let content = match wanted.as_deref() {
             // A path of a tool alone needs nothing else.
             None if self.nc.is_some() && self.output.is_none() => None,
@@ -110,12 +114,27 @@ impl OffsetArgs {
         };
         drop(alive);
         if let (Some(path), Some(moves)) = (&self.nc, moves) {
-            write_output(Some(path), moves.as_bytes())?;
+            self.overwrite.write(Some(path), moves.as_bytes())?;
         }
         match content {
-            Some(content) => write_output(output, &content),
+            Some(content) => self.overwrite.write(output, &content),
             None => Ok(()),
         }
+    }
+
+    /// Refuses options that what is written has no place for.
+    fn check(&self, steps: bool, tolerance: bool) -> Result<(), Failure> {
+        if self.per_span.is_some() && !steps {
+            return Err(Failure::usage(
+                "--per-span: what is written here has no steps; .csv has, of surfaces also meshes",
+            ));
+        }
+        if self.tolerance.is_some() && !tolerance {
+            return Err(Failure::usage(
+                "--tolerance is for pictures of curves and --nc, of surfaces for .step; anything else is exact",
+            ));
+        }
+        Ok(())
     }
 
     /// The offset of a surface with Pythagorean normals: exactly, or as a mesh or points.
@@ -133,6 +152,8 @@ impl OffsetArgs {
         let output = self.output.as_deref().filter(|path| !is_stream(path));
         let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
         let wanted = said.or_else(|| extension(output));
+        let exact = matches!(wanted.as_deref(), None | Some("json" | "rbs" | "step" | "stp"));
+        self.check(!exact, matches!(wanted.as_deref(), Some("step" | "stp")))?;
         let content = match wanted.as_deref() {
             None | Some("json" | "rbs") => normals::written(&offset)?.into_bytes(),
             Some("csv") => {
@@ -172,7 +193,7 @@ impl OffsetArgs {
         };
         drop(alive);
         normals::folded(&surface, self.distance).iter().for_each(|note| say("grafika", note));
-        write_output(output, &content)
+        self.overwrite.write(output, &content)
     }
 
     /// The points at equal steps of the parameter, with the places of the curve that they belong to.

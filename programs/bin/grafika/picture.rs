@@ -2,7 +2,7 @@
 
 use crate::sample::extension;
 use grafika::figure::{Figure, ModelFormat};
-use grafika::launch::{Failure, say};
+use grafika::launch::{Failure, meant, say};
 
 /// A figure in the format of a picture.
 pub(crate) fn picture(figure: &Figure, format: Format, width: u32) -> Result<Vec<u8>, Failure> {
@@ -23,6 +23,9 @@ const NO_AXES: &str = "the picture has no axes: so far from the origin their num
 
 const FORMATS: &str =
     "pictures are written as .png .svg .pdf, surfaces also as .obj .stl .ply .step, PH curves also as .step";
+
+/// The extensions.
+pub(crate) const NAMES: [&str; 7] = ["png", "svg", "pdf", "obj", "stl", "ply", "step"];
 
 /// What is written, by the extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +57,7 @@ impl Format {
             "stl" => Format::Stl,
             "ply" => Format::Ply,
             "step" | "stp" => Format::Step,
-            _ => return Err(FORMATS.to_owned()),
+            other => return Err(format!("{FORMATS}{}", meant(other, NAMES))),
         })
     }
 

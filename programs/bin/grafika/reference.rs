@@ -2,41 +2,13 @@
 //! manual pages come from the same table that is parsed.
 
 use crate::Cli;
-use clap::{Args, CommandFactory, ValueEnum};
-use clap_complete::Shell;
-use clap_mangen::Man;
-use clap_mangen::roff::{Roff, bold, roman};
-use grafika::launch::{Failure, write_output};
+use crate::page::page;
+use clap::{Args, CommandFactory};
+use grafika::disk::reason;
+use grafika::launch::{Failure, ShellName, meant, registration, write_file, write_output};
 use grafika::programs::{ALL, by_name};
-use grafika::ui::{Manual, Program};
+use grafika::ui::Program;
 use std::path::PathBuf;
-
-/// Shells by name.
-#[derive(Clone, Copy, ValueEnum)]
-pub(crate) enum ShellName {
-    /// GNU Bash
-    Bash,
-    /// Elvish
-    Elvish,
-    /// fish
-    Fish,
-    /// PowerShell
-    Powershell,
-    /// Z shell
-    Zsh,
-}
-
-impl ShellName {
-    fn shell(self) -> Shell {
-        match self {
-            ShellName::Bash => Shell::Bash,
-            ShellName::Elvish => Shell::Elvish,
-            ShellName::Fish => Shell::Fish,
-            ShellName::Powershell => Shell::PowerShell,
-            ShellName::Zsh => Shell::Zsh,
-        }
-    }
-}
 
 /// The command line of `grafika completions`.
 #[derive(Args)]
@@ -58,42 +30,42 @@ pub(crate) struct Manuals {
 
 /// The command line of `grafika` with every program as a command.
 pub(crate) fn whole() -> clap::Command {
-    let mut whole = Cli::command().subcommands(ALL.iter().map(Program::command));
+    let mut whole = unbuilt();
     whole.build();
     whole
 }
 
-impl Completions {
-    /// Writes the completions to standard output.
-    pub(crate) fn run(&self) -> Result<(), Failure> {
-        let mut command = match self.program.as_deref().map(str::to_lowercase) {
-            None => whole(),
-            Some(name) if name == "grafika" => whole(),
-            Some(name) => by_name(&name).map(Program::command).ok_or_else(|| {
-                Failure::usage(format!("there is no program {name:?}; grafika list tells which there are"))
-            })?,
-        };
-        write_output(None, &completions(&mut command, self.shell))
-    }
+/// The same before its parts know of each other.
+pub(crate) fn unbuilt() -> clap::Command {
+    Cli::command().subcommands(ALL.iter().map(Program::command))
 }
 
-fn completions(command: &mut clap::Command, shell: ShellName) -> Vec<u8> {
-    let name = command.get_name().to_owned();
-    let mut script = Vec::new();
-    clap_complete::generate(shell.shell(), command, name, &mut script);
-    script
+impl Completions {
+    /// Writes what a shell reads to standard output.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let name = match self.program.as_deref().map(str::to_lowercase) {
+            Some(name) if name != "grafika" => {
+                let alike = meant(&name, ALL.iter().map(|program| program.manual.name));
+                let unknown =
+                    || format!("there is no program {name:?}{alike}; grafika list tells which there are");
+                by_name(&name).ok_or_else(|| Failure::usage(unknown()))?.manual.name
+            }
+            _ => "grafika",
+        };
+        write_output(&registration(self.shell, name)?)
+    }
 }
 
 impl Manuals {
     /// Writes the pages.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let Some(folder) = &self.folder else {
-            return write_output(None, &page(&whole(), None)?);
+            return write_output(&page(&whole(), None)?);
         };
         std::fs::create_dir_all(folder)
-            .map_err(|error| Failure::work(format!("{}: {error}", folder.display())))?;
+            .map_err(|error| Failure::work(format!("{}: {}", folder.display(), reason(&error))))?;
         for (name, text) in pages()? {
-            write_output(Some(&folder.join(name)), &text)?;
+            write_file(&folder.join(name), &text)?;
         }
         Ok(())
     }
@@ -127,59 +99,11 @@ fn add_pages(above: &clap::Command, path: &str, pages: &mut Vec<(String, Vec<u8>
     Ok(())
 }
 
-/// A manual page; that of a program with its keys.
-fn page(command: &clap::Command, manual: Option<Manual>) -> Result<Vec<u8>, Failure> {
-    let man = Man::new(command.clone()).manual("Interaktív grafika");
-    let mut text = Vec::new();
-    let mut render = || -> std::io::Result<()> {
-        man.render_title(&mut text)?;
-        man.render_name_section(&mut text)?;
-        man.render_synopsis_section(&mut text)?;
-        man.render_description_section(&mut text)?;
-        if let Some(manual) = manual.filter(|manual| !manual.intro.1.is_empty()) {
-            let mut intro = Roff::default();
-            intro.control("PP", []);
-            intro.text([roman(manual.intro.1)]);
-            intro.to_writer(&mut text)?;
-        }
-        man.render_options_section(&mut text)?;
-        if command.has_subcommands() {
-            man.render_subcommands_section(&mut text)?;
-        }
-        let mut own = Roff::default();
-        keys_section(manual, &mut own);
-        examples_section(command, &mut own);
-        own.to_writer(&mut text)
-    };
-    render().map_err(|error| Failure::work(format!("{}: {error}", command.get_name())))?;
-    Ok(text)
-}
-
-fn keys_section(manual: Option<Manual>, page: &mut Roff) {
-    let Some(manual) = manual.filter(|manual| !manual.keys.is_empty()) else { return };
-    page.control("SH", ["KEYS"]);
-    for (key, what) in manual.keys {
-        page.control("TP", []);
-        page.text([bold(key.1)]);
-        page.text([roman(what.1)]);
-    }
-}
-
-/// The examples of the help, line by line.
-fn examples_section(command: &clap::Command, page: &mut Roff) {
-    let Some(help) = command.get_after_help() else { return };
-    page.control("SH", ["EXAMPLES"]);
-    page.control("nf", []);
-    for line in help.to_string().lines().skip(1) {
-        page.text([roman(line.trim())]);
-    }
-    page.control("fi", []);
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use clap::Command;
+    use grafika::launch::completed;
 
     /// Calls `see` for a command and all below it, with the words that lead there.
     fn walk(command: &Command, path: &str, see: &mut impl FnMut(&Command, &str)) {
@@ -245,21 +169,60 @@ mod tests {
         });
     }
 
+    /// How a line goes on.
+    fn goes_on(line: &str) -> Vec<String> {
+        let mut words: Vec<std::ffi::OsString> = line.split_whitespace().map(Into::into).collect();
+        if line.ends_with(' ') {
+            words.push("".into());
+        }
+        let at = words.len() - 1;
+        let found =
+            clap_complete::engine::complete(&mut completed(unbuilt()), words, at, None).unwrap_or_default();
+        found.iter().map(|it| it.get_value().to_string_lossy().into_owned()).collect()
+    }
+
     #[test]
     fn completions_cover_every_command_and_option() {
-        for shell in ShellName::value_variants() {
-            let script = String::from_utf8(completions(&mut whole(), *shell)).unwrap();
-            walk(&whole(), "grafika", &mut |command, path| {
-                assert!(script.contains(command.get_name()), "{path}");
-                let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
-                for long in told.filter_map(clap::Arg::get_long) {
-                    // fish writes the dashes apart.
-                    let told =
-                        script.contains(&format!("--{long}")) || script.contains(&format!("-l {long}"));
-                    assert!(told, "{path} --{long}");
-                }
-            });
+        walk(&whole(), "grafika", &mut |command, path| {
+            let found = goes_on(&format!("{path} --"));
+            let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
+            for long in told.filter_map(clap::Arg::get_long) {
+                assert!(found.contains(&format!("--{long}")), "{path} --{long}: {found:?}");
+            }
+            if let Some((above, name)) = path.rsplit_once(' ') {
+                assert!(goes_on(&format!("{above} ")).iter().any(|found| found == name), "{path}");
+            }
+        });
+    }
+
+    #[test]
+    fn completions_know_values() {
+        for (line, value) in [
+            ("grafika info A.I", "A.IP2"),
+            ("grafika gb_2d_ip a.i", "A.IP2"),
+            ("grafika solve A.CS", "A.CSK"),
+            ("grafika convert A.IP2 a.x --to j", "json"),
+            ("grafika info - --from t", "tsv"),
+            ("grafika render A.IP2 --to s", "svg"),
+            ("grafika render A.IP2 --method sp", "spline"),
+            ("grafika skin KIGYO.KOR --to j", "json"),
+            ("grafika config pal", "palette"),
+            ("grafika config palette am", "amber"),
+            ("grafika config folder sr", "src/"),
+            ("grafika completions ba", "bash"),
+            ("grafika completions bash gb_2d_i", "gb_2d_ip"),
+            ("grafika help gb_2d_i", "gb_2d_ip"),
+            ("grafika knots path A.CS", "A.CSM"),
+            ("grafika knots through B.CSM --by pair:o", "pair:outer"),
+            ("grafika shape path KOR.ALP --parameter o", "omega"),
+            ("grafika info a.csv --decimal po", "point"),
+            ("grafika fit TEREP.XYZ --initial Cargo.t", "Cargo.toml"),
+            ("grafika install --groups gb_", "gb_2d"),
+        ] {
+            assert!(goes_on(line).iter().any(|it| it == value), "{line}: {:?}", goes_on(line));
         }
+        let found = goes_on("grafika biliard ");
+        assert!(!found.contains(&"A.IP2".to_owned()), "no file that the program cannot open: {found:?}");
     }
 
     #[test]
@@ -277,7 +240,9 @@ mod tests {
                 (_, true) => text(&format!("{name}.1")),
                 (_, false) => text(&format!("{}.1", path.replace(' ', "-"))),
             };
-            assert!(page.contains(".SH EXAMPLES\n"), "{path}");
+            for section in ["EXAMPLES", "\"EXIT STATUS\"", "ENVIRONMENT", "FILES"] {
+                assert!(page.contains(&format!(".SH {section}\n")), "{path}: {section}");
+            }
             let told = command.get_arguments().filter(|argument| !argument.is_hide_set());
             for long in told.filter_map(clap::Arg::get_long) {
                 assert!(page.contains(&format!("--{long}")), "{path} --{long}");

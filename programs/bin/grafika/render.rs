@@ -1,12 +1,13 @@
 //! `grafika render`: a picture of a curve or a surface as PNG, SVG or PDF, or a surface as a model.
 
+mod checks;
 mod scene;
 
 use crate::curve::CurveArgs;
 use crate::normals;
 use crate::offset::plot;
 use crate::ph::PhShape;
-use crate::picture::{Format, picture};
+use crate::picture::{Format, NAMES, picture};
 use crate::sample::SURFACE_STEPS;
 use clap::Args;
 use grafika::design::offset::curve as curve_of;
@@ -21,7 +22,7 @@ use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say, words};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -48,12 +49,12 @@ pub(crate) struct Render {
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// Format of what is written (png, svg, pdf, obj, stl, ply, step), where no name says it
-    #[arg(long, value_name = "EXT", value_parser = Format::parse)]
+    #[arg(long, value_name = "EXT", value_parser = Format::parse, add = words(&NAMES))]
     to: Option<Format>,
-    /// Width of the picture in pixels
-    #[arg(long, value_name = "N", default_value_t = NOMINAL_WIDTH,
+    /// Width of the picture in pixels [default: 640]
+    #[arg(long, value_name = "N",
         value_parser = clap::value_parser!(u32).range(i64::from(SMALLEST_WIDTH)..=i64::from(LARGEST_WIDTH)))]
-    width: u32,
+    width: Option<u32>,
     /// Show the control points with their numbers
     #[arg(long)]
     points: bool,
@@ -79,6 +80,8 @@ pub(crate) struct Render {
     /// Direction from which a space curve or a surface is seen [default: that of the book's programs]
     #[arg(long, value_name = "A,B,C", value_parser = direction, allow_hyphen_values = true)]
     view: Option<Point<3>>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl Render {
@@ -91,35 +94,38 @@ impl Render {
         if let Some(curve) = exact {
             let content = self.ph(&design, &curve, format)?;
             drop(alive);
-            return write_output(Some(&self.output), &content);
+            return self.overwrite.write(Some(&self.output), &content);
         }
         let content = self.content(design, &shape, format)?;
         drop(alive);
-        write_output(Some(&self.output), &content)
+        self.overwrite.write(Some(&self.output), &content)
     }
 
     /// What is written.
     fn content(&self, design: Design, shape: &Shape, format: Format) -> Result<Vec<u8>, Failure> {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
             if !format.is_model() {
+                self.check_wires()?;
                 let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
                 let offsets = self.offsets(net)?;
                 return self.picture(&self.wireframe(net, &**surface, &offsets, steps)?, format);
             }
-            self.check_model()?;
+            self.check_model(format)?;
             let (solid, offsets) = (net.solid().map_err(Failure::work)?, self.offsets(net)?);
             let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
             return self.model(&std::iter::once(&*solid).chain(offsets).collect::<Vec<_>>(), format);
         }
         if let (Design::Patches(_) | Design::KnotNet(_), Shape::Surface(surface)) = (&design, shape) {
             if format.is_model() {
-                self.check_model()?;
+                self.check_model(format)?;
                 return self.model(&[&**surface], format);
             }
+            self.check_wires()?;
             let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
             let (mut figure, view, bounds) = self.wires(&[&**surface], SPACE_VIEW, steps)?;
-            if let Design::KnotNet(net) = &design {
-                self.plot_net(&mut figure, &net.points, &view);
+            match &design {
+                Design::KnotNet(net) => self.plot_net(&mut figure, &net.points, &view),
+                _ => self.check_points()?,
             }
             self.measure(&mut figure, view, [bounds, None]);
             return self.picture(&figure, format);
@@ -130,7 +136,7 @@ impl Render {
         if format == Format::Step
             && let Some(curve) = self.step_curve(&design, shape)?
         {
-            self.check_model()?;
+            self.check_curve().and_then(|()| self.check_model(format))?;
             return self.step(&[curve]);
         }
         if self.tolerance.is_some() && format != Format::Step {
@@ -143,9 +149,7 @@ impl Render {
             let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
             return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
         }
-        if self.per_span.is_some() {
-            return Err(Failure::usage("--per-span is for surfaces; curves are drawn exactly"));
-        }
+        self.check_curve()?;
         if self.view.is_some() && !matches!(shape, Shape::Space(_)) {
             return Err(Failure::usage(
                 "--view is for space curves and surfaces; this file holds a curve of the plane",
@@ -173,7 +177,7 @@ impl Render {
     }
 
     fn picture(&self, figure: &Figure, format: Format) -> Result<Vec<u8>, Failure> {
-        picture(figure, format, self.width)
+        picture(figure, format, self.width.unwrap_or(NOMINAL_WIDTH))
     }
 
     /// The PH curve or the rational curve, where it has to be drawn as one.
@@ -208,13 +212,14 @@ impl Render {
 
     /// A PH curve with its offsets, or a rational curve: exactly in .step, else by arcs within the tolerance.
     fn ph(&self, design: &Design, exact: &Exact, format: Format) -> Result<Vec<u8>, Failure> {
-        if self.per_span.is_some() {
-            return Err(Failure::usage("--per-span is for surfaces; curves are drawn exactly"));
-        }
+        self.check_curve()?;
         if self.view.is_some() {
             return Err(Failure::usage(
                 "--view is for space curves and surfaces; this file holds a curve of the plane",
             ));
+        }
+        if let Exact::Rational(_) = exact {
+            self.check_points()?;
         }
         let offsets = match exact {
             Exact::Ph(curve) => self.distance.iter().map(|distance| curve.offset(*distance)).collect(),
@@ -222,7 +227,7 @@ impl Render {
         };
         let offsets: Vec<Offset> = offsets.map_err(Failure::work)?;
         if format == Format::Step {
-            self.check_model()?;
+            self.check_model(format)?;
             if self.comb || self.speed {
                 return Err(Failure::usage("--comb and --speed are for pictures; models have no such thing"));
             }
@@ -328,7 +333,7 @@ impl Render {
             return Err(Failure::work("these circles have no whole skin; grafika skin --check tells why"));
         }
         if format == Format::Step {
-            self.check_model()?;
+            self.check_model(format)?;
             return self.step(&outlines.iter().map(outline_step).collect::<Vec<_>>());
         }
         if format.is_model() {
@@ -364,25 +369,16 @@ impl Render {
         }
     }
 
-    /// Options that a model has no place for.
-    fn check_model(&self) -> Result<(), Failure> {
-        let unused = [
-            ("--view", self.view.is_some()),
-            ("--points", self.points),
-            ("--polygon", self.polygon),
-            ("--caption", self.caption.is_some()),
-            ("--axes", self.axes),
-        ];
-        match unused.into_iter().find(|(_, given)| *given) {
-            Some((option, _)) => {
-                Err(Failure::usage(format!("{option} is for pictures; models have no such thing")))
-            }
-            None => Ok(()),
-        }
-    }
-
     /// Surfaces as a model.
     fn model(&self, surfaces: &[&dyn ParamSurface], format: Format) -> Result<Vec<u8>, Failure> {
+        if format == Format::Step
+            && self.tolerance.is_some()
+            && surfaces.iter().all(|surface| surface.to_bspline().is_some())
+        {
+            return Err(Failure::usage(
+                "--tolerance is for surfaces that are fitted; .step holds this one exactly",
+            ));
+        }
         let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
         let model = format.model().unwrap_or(ModelFormat::Ply);
         let options = ModelOptions {

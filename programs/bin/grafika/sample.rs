@@ -12,7 +12,7 @@ use grafika::design::{Design, Shape};
 use grafika::figure::{curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
 use grafika::geometry::skin::Outline;
 use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
-use grafika::launch::{Failure, progress, write_output};
+use grafika::launch::{Failure, Overwrite, progress};
 use std::path::PathBuf;
 
 /// Steps a span of a surface, as most programs of the book draw them.
@@ -53,6 +53,8 @@ pub(crate) struct Sample {
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
     to: Option<String>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// Which items of a scene.
@@ -66,11 +68,13 @@ impl Sample {
     /// Samples and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         if self.quantities || self.uniform.is_some() {
+            self.check_items(false)?;
             let (design, name) = self.curve.design()?;
             let text = self.exact(&design, &name)?;
-            return write_output(self.output.as_deref(), text.as_bytes());
+            return self.overwrite.write(self.output.as_deref(), text.as_bytes());
         }
         let (design, shape) = self.curve.shape()?;
+        self.check_items(matches!(shape, Shape::Parts(_)))?;
         let derivatives = usize::from(self.derivatives);
         let alive = progress::alive("sampling");
         let own = match &self.at {
@@ -84,7 +88,7 @@ impl Sample {
                 |rows| quantity_csv(&header, rows),
                 |rows| quantity_json(&header, 0, rows),
             )?;
-            return write_output(self.output.as_deref(), text.as_bytes());
+            return self.overwrite.write(self.output.as_deref(), text.as_bytes());
         }
         let text = match shape {
             Shape::Plane(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
@@ -94,7 +98,16 @@ impl Sample {
             Shape::Outlines(outlines) => self.outlines(&outlines),
         }?;
         drop(alive);
-        write_output(self.output.as_deref(), text.as_bytes())
+        self.overwrite.write(self.output.as_deref(), text.as_bytes())
+    }
+
+    fn check_items(&self, scene: bool) -> Result<(), Failure> {
+        match self.items {
+            Some(_) if !scene => Err(Failure::usage(
+                "--items is for scenes over extended Chebyshev spaces; this file holds none",
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// What only PH curves know exactly.
@@ -136,6 +149,11 @@ impl Sample {
             (None, true, false) => Items::Surfaces,
             (None, ..) => Items::Curves,
         };
+        if let (Items::Curves, true, _) | (Items::Surfaces, _, true) =
+            (items, parts.curves.is_empty(), parts.patches.is_empty())
+        {
+            return Err(Failure::usage("--items: this scene has no such items"));
+        }
         match items {
             Items::Curves => {
                 let curves = parts.curves.iter().enumerate();

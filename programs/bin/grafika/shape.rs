@@ -9,9 +9,9 @@ use grafika::design::shaped::{Curve, curve};
 use grafika::file::{Document, FamilyName, Format, LambdaValue, Places, ShapedPoints};
 use grafika::geometry::Point;
 use grafika::geometry::shaped::{Parameter, ShapedCurve, elevate_cyclic, interpolate};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, Overwrite, meant, words, write_output};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The command line of `grafika shape`.
 #[derive(Args)]
@@ -48,7 +48,7 @@ struct PathArgs {
     #[arg(long, value_name = "X")]
     at: f64,
     /// alpha, beta, omega or lambda; lambda:K is that of control point K, from 0
-    #[arg(long, value_name = "NAME", value_parser = parameter)]
+    #[arg(long, value_name = "NAME", value_parser = parameter, add = words(&PARAMETERS))]
     parameter: Parameter,
     /// Values of the parameter
     #[arg(long, value_name = "V,...", allow_hyphen_values = true)]
@@ -61,7 +61,7 @@ struct ThroughArgs {
     #[command(flatten)]
     source: Source,
     /// alpha, beta, omega or lambda; lambda:K is that of control point K, from 0
-    #[arg(long, value_name = "NAME", value_parser = parameter)]
+    #[arg(long, value_name = "NAME", value_parser = parameter, add = words(&PARAMETERS))]
     parameter: Parameter,
     /// The point, X,Y or X,Y,Z
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
@@ -87,6 +87,8 @@ struct InterpolateArgs {
     /// Where to write [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 #[derive(Args)]
@@ -100,10 +102,15 @@ struct ElevateArgs {
     /// Where to write [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// The families that interpolate.
 const SPLINES: [&str; 6] = ["c-bspline", "f-bspline", "han", "alpha", "gb", "spb"];
+
+/// The names of parameters.
+const PARAMETERS: [&str; 4] = ["alpha", "beta", "omega", "lambda"];
 
 /// Reads the name of a parameter.
 fn parameter(text: &str) -> Result<Parameter, String> {
@@ -115,7 +122,8 @@ fn parameter(text: &str) -> Result<Parameter, String> {
         "lambda" => Parameter::Lambda,
         _ => {
             let index = text.strip_prefix("lambda:").and_then(|index| index.parse().ok());
-            Parameter::LambdaOf(index.ok_or(wanted)?)
+            let alike = || format!("{wanted}{}", meant(text, PARAMETERS));
+            Parameter::LambdaOf(index.ok_or_else(alike)?)
         }
     })
 }
@@ -131,9 +139,9 @@ impl Source {
     }
 }
 
-fn written(document: ShapedPoints, output: Option<&std::path::Path>) -> Result<(), Failure> {
+fn written(document: ShapedPoints, output: Option<&Path>, overwrite: Overwrite) -> Result<(), Failure> {
     let text = Document::from(document).to_json().map_err(Failure::work)?;
-    write_output(output, text.as_bytes())
+    overwrite.write(output, text.as_bytes())
 }
 
 impl Shape {
@@ -173,7 +181,7 @@ impl PathArgs {
         let points = curve.path(self.parameter, span, x, &self.values.0).map_err(Failure::work)?;
         let points = self.values.0.iter().zip(points);
         let rows: Value = points.map(|(&value, point)| row("value", value, Some(point))).collect();
-        write_output(None, format!("{rows}\n").as_bytes())
+        write_output(format!("{rows}\n").as_bytes())
     }
 }
 
@@ -199,7 +207,7 @@ impl ThroughArgs {
                 "at": at,
             }),
         };
-        write_output(None, format!("{told}\n").as_bytes())?;
+        write_output(format!("{told}\n").as_bytes())?;
         if reach.admissible { Ok(()) } else { Err(Failure::work(NOT_REACHABLE)) }
     }
 }
@@ -229,7 +237,7 @@ impl InterpolateArgs {
                 (Places::from(found.points), found.blend.map(Places::from))
             }
         };
-        written(ShapedPoints { points, blend, ..document }, self.output.as_deref())
+        written(ShapedPoints { points, blend, ..document }, self.output.as_deref(), self.overwrite)
     }
 }
 
@@ -244,6 +252,6 @@ impl ElevateArgs {
             Places::Plane(points) => Places::from(elevate_cyclic(points, self.by).map_err(Failure::work)?),
             Places::Space(points) => Places::from(elevate_cyclic(points, self.by).map_err(Failure::work)?),
         };
-        written(ShapedPoints { points, ..document }, self.output.as_deref())
+        written(ShapedPoints { points, ..document }, self.output.as_deref(), self.overwrite)
     }
 }

@@ -11,7 +11,7 @@ use grafika::design::skin::{circles, outlines};
 use grafika::figure::{CURVE_INK, Figure, NOMINAL_WIDTH, curves_step, outline_step};
 use grafika::file::Document;
 use grafika::geometry::skin::{Circles, Clearing, Links, Piece, Side, Skin, SkinArc, Violation};
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, progress, say, words, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -34,14 +34,16 @@ pub(crate) struct SkinCommand {
     caps: bool,
     /// Tell whether the circles or spheres are admissible, and which rules they break, as JSON that counts them from 0;
     /// nothing is written
-    #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to"])]
+    #[arg(long, conflicts_with_all = ["plain", "caps", "output", "to", "force", "no_clobber"])]
     check: bool,
     /// Where to write: .svg, .pdf, .png, .json, .step; of spheres also .stl, .obj, .ply
     #[arg(short, long, value_name = "OUT", required_unless_present = "check")]
     output: Option<PathBuf>,
     /// Format of what is written (svg, pdf, png, json, step, stl, obj, ply), where no name says it
-    #[arg(long, value_name = "EXT", value_parser = Wanted::parse)]
+    #[arg(long, value_name = "EXT", value_parser = Wanted::parse, add = words(&NAMES))]
     to: Option<Wanted>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// What is written.
@@ -59,6 +61,8 @@ impl Wanted {
         Format::parse(text).map(Wanted::Other).map_err(|_| FORMATS.to_owned())
     }
 }
+
+const NAMES: [&str; 8] = ["svg", "pdf", "png", "json", "step", "stl", "obj", "ply"];
 
 const FORMATS: &str = "skins are written as .svg .pdf .png .json .step, of spheres also as .stl .obj .ply";
 
@@ -86,6 +90,11 @@ impl SkinCommand {
         if !skin.is_whole() {
             return Err(complain(&name, &violations, "circle", skin.missing.first().copied()));
         }
+        if self.caps && wanted == Wanted::Json {
+            return Err(Failure::usage(
+                "--caps is for pictures and .step; JSON tells the arcs, and closes nothing",
+            ));
+        }
         let content = match wanted {
             Wanted::Json => format!("{}\n", written(&circles, &skin)).into_bytes(),
             Wanted::Other(format) => self.content(&circles, &skin, format)?,
@@ -94,7 +103,7 @@ impl SkinCommand {
         if let Some(violation) = violations.first() {
             say("grafika", &format!("{name} is not admissible: {violation}"));
         }
-        write_output(self.output.as_deref(), &content)
+        self.overwrite.write(self.output.as_deref(), &content)
     }
 
     fn wanted(&self) -> Result<Wanted, Failure> {
@@ -148,7 +157,7 @@ fn check(name: &str, violations: &[Violation], noun: &str) -> Result<(), Failure
     let rows: Vec<Value> =
         violations.iter().map(|it| json!({ "rule": it.rule(), "circles": it.numbers() })).collect();
     let answer = json!({ "admissible": rows.is_empty(), "violations": rows });
-    write_output(None, format!("{answer}\n").as_bytes())?;
+    write_output(format!("{answer}\n").as_bytes())?;
     match violations {
         [] => Ok(()),
         all => {

@@ -6,7 +6,8 @@ use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{
     DENSITY, GeometryError, MAX_FILTERED, Point, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
-use grafika::launch::{Failure, TableArgs, open_as, progress, say, write_output};
+use grafika::launch::{Failure, Overwrite, TableArgs, open_as, progress, say, write_output};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// The command line of `grafika smooth`.
@@ -14,6 +15,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   grafika smooth Y.IP2 -o y.csv
   grafika smooth Y.IP2 --stage bspline -o smooth.ip2
+  grafika smooth Y.IP2 -o y.csv --json
   grafika smooth scope.csv --columns time,volts -o smooth.csv
   cat measured.csv | grafika smooth - --from csv -o - > smooth.csv")]
 pub(crate) struct Smooth {
@@ -37,6 +39,11 @@ pub(crate) struct Smooth {
     /// [default: 16, of many measured points fewer]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     density: Option<u32>,
+    /// Tell the residuals as JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 /// A stage by its name.
@@ -53,7 +60,15 @@ enum StageName {
 impl Smooth {
     /// Smooths, writes, and says how far the points have moved.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.density.is_some() && !matches!(self.stage, StageName::Both) {
+            return Err(Failure::usage("--density is for both steps together, --stage both"));
+        }
         let to_stdout = is_stream(&self.output);
+        if self.json && to_stdout {
+            return Err(Failure::usage(
+                "--json needs standard output for itself: name a file, as in -o FILE",
+            ));
+        }
         let kind = output_kind(&self.output, self.to.or(to_stdout.then_some(FileKind::Csv)))?;
         let mut opened = open_as(&self.input, self.from.from, &self.table.options())?;
         if let Document::Cloud(cloud) = &opened.document {
@@ -87,15 +102,18 @@ impl Smooth {
         let content = document.encode(kind).map_err(|error| {
             Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
         })?;
-        write_output(Some(&self.output), &content)?;
+        self.overwrite.write(Some(&self.output), &content)?;
         if let Some(density) = self.told_density(measured) {
             say("grafika", &format!("{}: {density}", opened.name));
         }
-        let line = format!("{}: {}", opened.name, told(&residuals));
+        let line = match self.json {
+            true => as_json(&opened.name, &residuals).to_string(),
+            false => format!("{}: {}", opened.name, told(&residuals)),
+        };
         match to_stdout {
             // The points have standard output to themselves.
             true => say("grafika", &line),
-            false => write_output(None, format!("{line}\n").as_bytes())?,
+            false => write_output(format!("{line}\n").as_bytes())?,
         }
         Ok(())
     }
@@ -148,6 +166,10 @@ fn stored(kind: FileKind, points: Vec<Point<2>>) -> Vec<Point<2>> {
         }
         _ => points,
     }
+}
+
+fn as_json(name: &str, residuals: &Residuals) -> Value {
+    json!({ "file": name, "rms": residuals.rms, "largest": residuals.largest, "at": residuals.at })
 }
 
 /// The residuals before any rounding, in a line.

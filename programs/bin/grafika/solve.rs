@@ -2,11 +2,12 @@
 
 use crate::source::InputFormat;
 use clap::Args;
-use grafika::disk::read_stream;
+use grafika::disk::{read_stream, reason};
 use grafika::file::{CsangoCube, Document, TableOptions};
 use grafika::launch::{Failure, open_as, progress, write_output};
 use grafika::puzzle::cube::{Count, PIECES, Placed, Rules, Solver as CubeSolver, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
+use serde_json::json;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
@@ -25,6 +26,7 @@ const IN_LINE: usize = 20;
 #[derive(Args)]
 #[command(after_help = "Examples:
   grafika solve MCEM
+  grafika solve MCEM --json
   grafika solve FILE.CSK --rigid
   grafika solve --count A.CSK
   grafika solve --count
@@ -40,21 +42,24 @@ pub(crate) struct Solve {
     #[arg(long)]
     count: bool,
     /// Threads that count; the number is the same for any
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, value_name = "N", requires = "count", value_parser = clap::value_parser!(u16).range(1..=256))]
     threads: Option<u16>,
     /// Turns of the cube's pieces may not pass through other pieces or the table
-    #[arg(long)]
+    #[arg(long, conflicts_with = "count")]
     rigid: bool,
+    /// Tell the answer as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 impl Solve {
     /// Solves and tells.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let from = self.from.from;
-        let Some(puzzle) = &self.puzzle else { return write_output(None, self.number(&[]).as_bytes()) };
+        let Some(puzzle) = &self.puzzle else { return write_output(self.number(&[]).as_bytes()) };
         if puzzle == "-" && from.is_none() {
             let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
-            let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(error.to_string()))?;
+            let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(reason(&error)))?;
             let text = String::from_utf8(text).map_err(|_| failure("the text is not UTF-8".to_owned()))?;
             return self.text(text.trim());
         }
@@ -94,6 +99,9 @@ impl Solve {
                 "--count: solutions of the bead wheel are not counted, any number of detours leads there",
             ));
         }
+        if self.rigid {
+            return Err(Failure::usage("--rigid is for the Csángó cube; beads have nothing to bump into"));
+        }
         let mut solver = Solver::new(*wheel);
         let alive = progress::alive("searching");
         loop {
@@ -107,17 +115,23 @@ impl Solve {
         drop(alive);
         let at_least = solver.progress().at_least;
         let solution = solver.solution().ok_or_else(|| self.problem("no solution was found"))?;
+        let (text, count) = (moves_to_text(&solution.moves), solution.moves.len());
+        if self.json {
+            let told =
+                json!({ "moves": text, "count": count, "proven": solution.proven, "at_least": at_least });
+            return write_output(format!("{told}\n").as_bytes());
+        }
         let proof = match solution.proven {
             true => "proven shortest".to_string(),
             false => format!("not proven shortest; at least {at_least} are needed"),
         };
-        let text = format!("{}\n{} moves, {proof}\n", moves_to_text(&solution.moves), solution.moves.len());
-        write_output(None, text.as_bytes())
+        let text = format!("{text}\n{count} moves, {proof}\n");
+        write_output(text.as_bytes())
     }
 
     fn write_cube(&self, position: &CsangoCube) -> Result<(), Failure> {
         let text = self.cube(position).map_err(|why| self.problem(why))?;
-        write_output(None, text.as_bytes())
+        write_output(text.as_bytes())
     }
 
     /// The Csángó cube: the moves from the position to the finished cube, or the number of fillings.
@@ -126,13 +140,19 @@ impl Solve {
             return Ok(self.fillings(position));
         }
         if position.is_finished() {
-            return Ok("the cube is finished\n".to_owned());
+            return Ok(match self.json {
+                true => format!("{}\n", json!({ "moves": [], "count": 0 })),
+                false => "the cube is finished\n".to_owned(),
+            });
         }
         let rules = if self.rigid { Rules::Rigid } else { Rules::Book };
         let _alive = progress::alive("searching");
         let moves = CubeSolver::new(position, rules, 0).finish();
         let moves = moves.map_err(|why| format!("no solution is found from this position: {why}"))?;
         let words: Vec<String> = moves.iter().map(ToString::to_string).collect();
+        if self.json {
+            return Ok(format!("{}\n", json!({ "moves": words, "count": words.len() })));
+        }
         let lines: Vec<String> = words.chunks(IN_LINE).map(|line| line.join(" ")).collect();
         Ok(format!("{} moves\n{}\n", moves.len(), lines.join("\n")))
     }
@@ -143,6 +163,9 @@ impl Solve {
             return self.number(&filling.placed);
         }
         let mut text = self.number(&position.placed());
+        if self.json {
+            return text;
+        }
         for piece in position.sticking_out() {
             text += &format!("piece {} lies partly in the cube's place and was not counted\n", piece + 1);
         }
@@ -153,6 +176,9 @@ impl Solve {
     fn number(&self, placed: &[Placed]) -> String {
         let count = if placed.is_empty() { all_fillings() } else { Count::with_fixed(placed) };
         let total = self.counted(&count);
+        if self.json {
+            return format!("{}\n", json!({ "fillings": total, "placed": placed.len() }));
+        }
         let fillings = if total == 1 { "filling" } else { "fillings" };
         let up_to = if placed.is_empty() { " up to rotations" } else { "" };
         format!("{total} {fillings}{up_to}, {} of the pieces in their places\n", placed.len())

@@ -3,7 +3,9 @@
 use crate::sample::extension;
 use clap::Args;
 use grafika::file::{Document, FileKind, Format};
-use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as, open_cloud, write_output};
+use grafika::launch::{
+    Failure, Opened, Overwrite, TableArgs, input_kind, kind_of, meant, open_as, open_cloud,
+};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -26,6 +28,11 @@ pub(crate) struct InputFormat {
 }
 
 impl Source {
+    /// A file with what is said about it.
+    pub(crate) fn new(file: PathBuf, from: Option<FileKind>, table: TableArgs) -> Source {
+        Source { file, from: InputFormat { from }, table }
+    }
+
     /// The kind of what is read, as said or by the name, if either tells.
     pub(crate) fn kind(&self) -> Option<FileKind> {
         self.from.from.or_else(|| input_kind(&self.file))
@@ -72,8 +79,9 @@ fn input_kind_by_extension(text: &str) -> Result<FileKind, String> {
 pub(crate) fn kind_by_extension(text: &str) -> Result<FileKind, String> {
     FileKind::from_extension(text.trim_start_matches('.')).ok_or_else(|| {
         let known = Format::ALL.iter().map(|format| format.extension().to_lowercase());
-        let known: Vec<String> = known.collect();
-        format!("no data file has this extension; there are {} json csv", known.join(" "))
+        let known: Vec<String> = known.chain(["json", "csv"].map(str::to_owned)).collect();
+        let alike = meant(text.trim_start_matches('.'), known.iter().map(String::as_str));
+        format!("no data file has this extension{alike}; there are {}", known.join(" "))
     })
 }
 
@@ -86,6 +94,8 @@ pub(crate) struct Answer {
     /// Format of what is written, json or txt, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["json", "txt"], ignore_case = true)]
     to: Option<String>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl Answer {
@@ -103,7 +113,7 @@ impl Answer {
 
     /// Writes the answer.
     pub(crate) fn write(&self, content: &[u8]) -> Result<(), Failure> {
-        write_output(self.output.as_deref(), content)
+        self.overwrite.write(self.output.as_deref(), content)
     }
 }
 

@@ -6,7 +6,7 @@ use clap::Args;
 use grafika::file::Document;
 use grafika::file::ec::{EcDocument, SpaceFile, values};
 use grafika::geometry::ec::{CriticalLength, EcBasis, EcError, Real, Space};
-use grafika::launch::{Failure, Opened, input_kind, open_as, progress, write_output};
+use grafika::launch::{Failure, Opened, Overwrite, input_kind, open_as, progress, write_output};
 use serde_json::{Map, Value};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -93,6 +93,8 @@ pub(crate) struct BasisTable {
     /// Format of what is written, csv or json, where no name says it
     #[arg(long, value_name = "EXT", value_parser = ["csv", "json"], ignore_case = true)]
     to: Option<String>,
+    #[command(flatten)]
+    overwrite: Overwrite,
 }
 
 impl BasisTable {
@@ -118,7 +120,8 @@ impl BasisTable {
             }
         };
         let output = self.output.as_deref().filter(|path| !is_stream(path));
-        write_output(output, if json { as_json(&header, &rows) } else { as_csv(&header, &rows) }.as_bytes())
+        let text = if json { as_json(&header, &rows) } else { as_csv(&header, &rows) };
+        self.overwrite.write(output, text.as_bytes())
     }
 
     /// A row for every function and place.
@@ -210,7 +213,7 @@ impl Critical {
         let lengths = [CriticalLength::new(&space), CriticalLength::of_itself(&space)];
         let [design, own] = lengths.map(|search| number(search.finish()));
         drop(alive);
-        write_output(None, format!("lprime,l\n{design},{own}\n").as_bytes())
+        write_output(format!("lprime,l\n{design},{own}\n").as_bytes())
     }
 }
 

@@ -57,6 +57,20 @@ impl SurfaceArgs {
         number.or(self.extended.then_some("--extended"))
     }
 
+    /// An option of beta-splines by direction, and one of tangents, if they are given.
+    pub(crate) fn by_direction(&self) -> [Option<&'static str>; 2] {
+        let given = |options: &[(&'static str, Option<f64>)]| {
+            options.iter().find(|(_, value)| value.is_some()).map(|(option, _)| *option)
+        };
+        let beta = [
+            ("--bias-u", self.bias_u),
+            ("--bias-v", self.bias_v),
+            ("--tension-u", self.tension_u),
+            ("--tension-v", self.tension_v),
+        ];
+        [given(&beta), given(&[("--k0-u", self.k0_u), ("--k0-v", self.k0_v)])]
+    }
+
     /// The net with what the command line says put over what the file says.
     pub(crate) fn net(&self, design: NetDesign, common: Common) -> Result<NetDesign, Failure> {
         let pair = |own: [Option<f64>; 2], both: Option<f64>, stored: [f64; 2]| -> Option<[f64; 2]> {

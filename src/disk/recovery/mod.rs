@@ -7,6 +7,7 @@
 mod place;
 mod writer;
 
+use super::reason;
 use crate::machine::{Lost, Recovery, Verdict, Work};
 use place::{Place, WORK, clear_leftovers};
 use std::collections::BTreeSet;
@@ -69,7 +70,7 @@ impl RecoveryFolder {
                 .spawn(move || write(&shared, folder.as_deref()));
             match started {
                 Ok(writer) => self.writer = Some(writer),
-                Err(error) => self.shared.state().note(error.to_string()),
+                Err(error) => self.shared.state().note(reason(&error)),
             }
         }
     }
@@ -160,7 +161,7 @@ impl Recovery for RecoveryFolder {
                 Ok(None) => continue,
                 Err(error) => {
                     self.told_of.insert(path.clone());
-                    self.shared.state().note(format!("{}: {error}", path.display()));
+                    self.shared.state().note(format!("{}: {}", path.display(), reason(&error)));
                     continue;
                 }
             };

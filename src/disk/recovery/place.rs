@@ -1,7 +1,7 @@
 //! A file of unsaved work and the lock beside it.
 
-use super::super::read_regular;
 use super::super::write::{clear_temporaries, is_locked, is_older, write_private};
+use super::super::{read_regular, reason};
 use crate::machine::Work;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
@@ -85,7 +85,7 @@ impl Place {
         let content = match read_regular(&self.work) {
             Ok(content) => content,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-            Err(error) => return Err(error.to_string()),
+            Err(error) => return Err(reason(&error)),
         };
         let text = String::from_utf8(content).map_err(|_| "it is no text".to_string())?;
         let (head, content) = text.split_once('\n').ok_or("its first line has no end")?;

@@ -1,5 +1,6 @@
 //! The thread that writes the latest work of a session, at its own pace.
 
+use super::super::reason;
 use super::place::Place;
 use crate::machine::Work;
 use std::io;
@@ -112,7 +113,7 @@ pub(super) fn write(shared: &Shared, folder: Option<&Path>) {
         state.busy = false;
         if let Err(error) = result {
             let folder = folder.unwrap_or(Path::new("")).display();
-            state.note(format!("{folder}: {error}"));
+            state.note(format!("{folder}: {}", reason(&error)));
         }
         drop(state);
         shared.changed.notify_all();

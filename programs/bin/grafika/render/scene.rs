@@ -21,7 +21,7 @@ impl Render {
         format: Format,
     ) -> Result<Vec<u8>, Failure> {
         if format.is_model() {
-            self.check_model()?;
+            self.check_model(format)?;
             if parts.patches.is_empty() {
                 let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
                 return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
@@ -32,6 +32,10 @@ impl Render {
             let surfaces: Vec<&dyn ParamSurface> =
                 parts.patches.iter().map(|patch| patch as &dyn ParamSurface).collect();
             return self.model(&surfaces, format);
+        }
+        match parts.patches.is_empty() {
+            true => self.check_curve()?,
+            false => self.check_wires()?,
         }
         let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
         let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;

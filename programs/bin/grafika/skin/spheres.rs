@@ -7,7 +7,7 @@ use grafika::figure::{Figure, Hidden, MODEL_TOLERANCE, ModelFormat, ModelOptions
 use grafika::file::{SPACE_VIEW, Spheres};
 use grafika::geometry::skin::{Clearing, MESH_STEPS, SphereSkin};
 use grafika::geometry::{Grid, View};
-use grafika::launch::{Failure, progress, say, write_output};
+use grafika::launch::{Failure, progress, say};
 use serde_json::{Value, json};
 
 /// Lines of a picture: steps of a quarter turn and of a span.
@@ -36,7 +36,7 @@ impl SkinCommand {
         if let Some(violation) = violations.first() {
             say("grafika", &format!("{name} is not admissible: {}", violation.sentence("sphere")));
         }
-        write_output(self.output.as_deref(), &content)
+        self.overwrite.write(self.output.as_deref(), &content)
     }
 
     fn surface(&self, skin: &SphereSkin, format: Format) -> Result<Vec<u8>, Failure> {
