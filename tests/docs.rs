@@ -113,7 +113,8 @@ fn links_lead_somewhere() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let pages = std::fs::read_dir(root.join("docs")).expect("the folder is there");
     let pages = pages.map(|entry| entry.expect("it can be read").path());
-    let own = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "data/README.md"].map(|name| root.join(name));
+    let own = ["README.md", "README.hu.md", "ARCHITECTURE.md", "CHANGELOG.md", "data/README.md"];
+    let own = own.map(|name| root.join(name));
     for page in pages.chain(own).filter(|path| path.extension().is_some_and(|it| it == "md")) {
         let text = std::fs::read_to_string(&page).expect("pages are text");
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
