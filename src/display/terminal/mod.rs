@@ -450,8 +450,10 @@ mod tests {
 
     #[test]
     fn the_message_says_what_is_needed() {
-        let extent = Extent { columns: 60, rows: 20, cell: None };
-        let message = too_small(Language::Hungarian, extent).join(" ");
-        assert!(message.contains("60x20") && message.contains("80x30"), "{message}");
+        let extent = Extent { columns: 40, rows: 20, cell: None };
+        for leaving in [false, true] {
+            let message = too_small(Language::Hungarian, extent, leaving).join(" ");
+            assert!(message.contains("40x20") && message.contains("60x20"), "{message}");
+        }
     }
 }
