@@ -1,6 +1,8 @@
 //! The failure of a command: one line on stderr and an exit status.
 
-use super::{say, write_output};
+use super::language::page_in_hungarian;
+use super::{in_language, say, spoken, write_output};
+use crate::machine::Language;
 #[cfg(feature = "terminal")]
 use crate::display::terminal::TerminalError;
 use std::fmt;
@@ -43,6 +45,11 @@ impl Failure {
     /// Nobody reads on: the end of the command, but no error.
     pub(super) fn unread() -> Failure {
         Failure { status: 0, told: Told::Nothing }
+    }
+
+    /// What went wrong, in a language.
+    pub fn told(&self, language: Language) -> String {
+        in_language(&self.to_string(), language)
     }
 
     fn with_status(status: u8, message: impl fmt::Display) -> Failure {
@@ -93,7 +100,11 @@ pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
             say(program, &text);
             ExitCode::from(status)
         }
-        Told::Answer(text) => exit(program, write_output(None, format!("{}\n", text.trim_end()).as_bytes())),
+        Told::Answer(text) => {
+            let text = format!("{}\n", text.trim_end());
+            let text = if spoken() == Language::Hungarian { page_in_hungarian(&text) } else { text };
+            exit(program, write_output(None, text.as_bytes()))
+        }
         Told::Nothing => ExitCode::from(status),
     }
 }

@@ -1,6 +1,6 @@
 //! Where scripts and commands write: files named on the command line.
 
-use super::Failure;
+use super::{Failure, in_language, spoken};
 use crate::disk::write_safely;
 use crate::figure::screen_png;
 use crate::machine::Outlet;
@@ -44,9 +44,18 @@ pub fn write_output(path: Option<&Path>, content: &[u8]) -> Result<(), Failure> 
     }
 }
 
-/// Says something on stderr in one line: who says it, and what, with control characters escaped. Where nobody can be
-/// told, nothing else fails.
+/// Writes an answer in words to standard output, in the user's language.
+///
+/// # Errors
+/// Those of [`write_output`].
+pub fn answer(text: &str) -> Result<(), Failure> {
+    write_output(None, in_language(text, spoken()).as_bytes())
+}
+
+/// Says something on stderr in one line and in the user's language: who says it, and what, with control characters
+/// escaped. Where nobody can be told, nothing else fails.
 pub fn say(who: &str, what: &str) {
     let line = what.split_whitespace().collect::<Vec<_>>().join(" ");
+    let line = in_language(&line, spoken());
     let _ = std::io::stderr().write_all(format!("{who}: {}\n", visible(&line)).as_bytes());
 }

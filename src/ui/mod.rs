@@ -12,6 +12,7 @@ mod double_click;
 mod entry;
 mod frame;
 mod hint;
+pub mod hungarian;
 mod lesson;
 pub(crate) mod look;
 mod notice;

@@ -26,8 +26,9 @@ mod space;
 mod surface;
 
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser, Subcommand};
-use grafika::launch::{Failure, Install, Options, RunOptions, exit, write_output};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use grafika::launch::{Failure, Install, Options, RunOptions, answer, exit, ordered, speaking, spoken, write_output};
+use grafika::machine::Language;
 use grafika::programs::{self, ALL};
 use grafika::screen::visible;
 #[cfg(feature = "terminal")]
@@ -133,10 +134,11 @@ fn run() -> Result<(), Failure> {
     if let Some(words) = linked_name() {
         return run_program(words);
     }
-    let cli = Cli::try_parse()?;
+    let command = speaking(Cli::command(), spoken());
+    let cli = Cli::from_arg_matches(&command.try_get_matches_from(ordered(std::env::args_os()))?)?;
     match cli.command {
         None => show_menu(&cli.options),
-        Some(Command::List) => write_output(None, list().as_bytes()),
+        Some(Command::List) => write_output(None, list(spoken()).as_bytes()),
         Some(Command::Open(options)) => open_with_program(&options),
         Some(Command::Info(source)) => {
             let document = match space::written(&source)? {
@@ -145,7 +147,7 @@ fn run() -> Result<(), Failure> {
             };
             let lines = document.describe();
             let text: String = lines.iter().map(|line| format!("{}\n", visible(line))).collect();
-            write_output(None, text.as_bytes())
+            answer(&text)
         }
         Some(Command::Sample(sample)) => sample.run(),
         Some(Command::Render(render)) => render.run(),
@@ -196,7 +198,7 @@ fn show_text_menu(options: &RunOptions) -> Result<(), Failure> {
         let mut options = options.in_language(menu.language());
         options.display = Some(DisplayKind::Terminal);
         if let Err(failure) = program.visit(options) {
-            menu.tell(failure.to_string());
+            menu.tell(failure.told(menu.language()));
         }
     }
 }
@@ -222,11 +224,11 @@ fn linked_name() -> Option<Vec<OsString>> {
 }
 
 /// Every program with a line about it.
-fn list() -> String {
+fn list(language: Language) -> String {
     let mut text = String::new();
     for program in ALL {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1);
+        let _ = writeln!(text, "{:10} {}", program.manual.name, program.manual.about.of(language));
     }
     text
 }

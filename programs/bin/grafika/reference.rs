@@ -6,7 +6,8 @@ use clap::{Args, CommandFactory, ValueEnum};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
-use grafika::launch::{Failure, write_output};
+use grafika::launch::{Failure, speaking, write_output};
+use grafika::machine::Language;
 use grafika::programs::{ALL, by_name};
 use grafika::ui::{Manual, Program};
 use std::path::PathBuf;
@@ -58,7 +59,7 @@ pub(crate) struct Manuals {
 
 /// The command line of `grafika` with every program as a command.
 pub(crate) fn whole() -> clap::Command {
-    let mut whole = Cli::command().subcommands(ALL.iter().map(Program::command));
+    let mut whole = speaking(Cli::command(), Language::English).subcommands(ALL.iter().map(Program::command));
     whole.build();
     whole
 }

@@ -4,7 +4,7 @@ use crate::source::InputFormat;
 use clap::Args;
 use grafika::disk::read_stream;
 use grafika::file::{CsangoCube, Document, TableOptions};
-use grafika::launch::{Failure, open_as, progress, write_output};
+use grafika::launch::{Failure, answer, open_as, progress};
 use grafika::puzzle::cube::{Count, PIECES, Placed, Rules, Solver as CubeSolver, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use std::path::Path;
@@ -51,7 +51,7 @@ impl Solve {
     /// Solves and tells.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let from = self.from.from;
-        let Some(puzzle) = &self.puzzle else { return write_output(None, self.number(&[]).as_bytes()) };
+        let Some(puzzle) = &self.puzzle else { return answer(&self.number(&[])) };
         if puzzle == "-" && from.is_none() {
             let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
             let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(error.to_string()))?;
@@ -112,12 +112,12 @@ impl Solve {
             false => format!("not proven shortest; at least {at_least} are needed"),
         };
         let text = format!("{}\n{} moves, {proof}\n", moves_to_text(&solution.moves), solution.moves.len());
-        write_output(None, text.as_bytes())
+        answer(&text)
     }
 
     fn write_cube(&self, position: &CsangoCube) -> Result<(), Failure> {
         let text = self.cube(position).map_err(|why| self.problem(why))?;
-        write_output(None, text.as_bytes())
+        answer(&text)
     }
 
     /// The Csángó cube: the moves from the position to the finished cube, or the number of fillings.
