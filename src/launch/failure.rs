@@ -2,9 +2,9 @@
 
 use super::language::page_in_hungarian;
 use super::{in_language, say, spoken, write_output};
-use crate::machine::Language;
 #[cfg(feature = "terminal")]
 use crate::display::terminal::TerminalError;
+use crate::machine::Language;
 use std::fmt;
 use std::process::ExitCode;
 
@@ -75,9 +75,20 @@ impl From<clap::Error> for Failure {
         if !error.use_stderr() {
             return Failure { status: 0, told: Told::Answer(text) };
         }
-        let lines = text.lines().map(str::trim);
-        let said = lines.filter(|line| !line.is_empty() && !line.starts_with("For more information"));
-        let message = said.collect::<Vec<_>>().join("; ");
+        let lines = text.lines().map(|line| (line.len() - line.trim_start().len(), line.trim()));
+        let said = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with("For more information"));
+        let mut message = String::new();
+        for (indent, line) in said {
+            // What is indented goes on with a list; tips and possible values are sentences of their own.
+            let goes_on = indent > 0 && !line.starts_with("tip: ") && !line.starts_with('[');
+            message += match message.chars().last() {
+                None => "",
+                Some(':') => " ",
+                Some(_) if goes_on => ", ",
+                Some(_) => "; ",
+            };
+            message += line;
+        }
         Failure::usage(message.strip_prefix("error: ").unwrap_or(&message))
     }
 }

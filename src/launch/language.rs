@@ -117,11 +117,14 @@ fn option(arg: Arg) -> Arg {
     names.into_iter().fold(arg, |arg, names| arg.value_names(names))
 }
 
-/// What clap says itself in a page of help: headings, the help of its own options, what stands in brackets.
-const BRACKETS: [(&str, &str); 3] = [
+/// What clap writes itself in brackets.
+const BRACKETS: [(&str, &str); 6] = [
     ("[default: ", "[alapértelmezés: "),
     ("[possible values: ", "[lehet: "),
     ("[aliases: ", "[más nevei: "),
+    (" [OPTIONS]", " [KAPCSOLÓK]"),
+    (" [COMMAND]", " [PARANCS]"),
+    (" <COMMAND>", " <PARANCS>"),
 ];
 
 /// A page of help whose texts are in Hungarian already, with clap's own words.
@@ -131,9 +134,6 @@ pub(super) fn page_in_hungarian(page: &str) -> String {
 
 fn line_of_page(line: &str) -> String {
     let (text, end) = line.strip_suffix('\n').map_or((line, ""), |text| (text, "\n"));
-    if let Some(usage) = text.strip_prefix("Usage: ") {
-        return format!("{} {usage}{end}", hungarian::help("Usage:").unwrap_or_default());
-    }
     // The help stands behind the option, at least two blanks away, or in a line of its own; that of a value behind the
     // value and a colon.
     let blanks = text.len() - text.trim_start().len();
@@ -142,9 +142,10 @@ fn line_of_page(line: &str) -> String {
     let value = value.map(|at| at + text.get(at..).map_or(0, |rest| rest.len() - rest.trim_start().len()));
     let told = [Some(blanks), Some(behind), value].into_iter().flatten().find_map(|at| {
         let (before, help) = text.split_at_checked(at)?;
-        hungarian::help(help).map(|help| format!("{before}{help}"))
+        hungarian::heading(help).map(|help| format!("{before}{help}"))
     });
-    let told = told.unwrap_or_else(|| text.to_owned());
+    let usage = || text.strip_prefix("Usage: ").map(|usage| format!("Használat: {usage}"));
+    let told = told.or_else(usage).unwrap_or_else(|| text.to_owned());
     let told = BRACKETS.iter().fold(told, |told, (english, hungarian)| told.replace(english, hungarian));
     format!("{told}{end}")
 }

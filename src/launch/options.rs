@@ -51,7 +51,7 @@ pub struct Options {
 /// The options that say how a program runs.
 #[derive(Args, Clone, Debug, Default)]
 pub struct RunOptions {
-    /// Language of the texts; without it the locale decides
+    /// Language of the texts; without it the setting, then the locale decides
     #[arg(long, value_enum, value_name = "LANG")]
     lang: Option<Code>,
     /// Display; without it a window where one can be opened, else the terminal
@@ -175,7 +175,9 @@ impl RunOptions {
         // The best results are seen on the screen: a recording without them is replayed alike.
         let machine = if alike { machine } else { machine.with_bests(BestsFile::default()) };
         match &self.preferences {
-            Some(preferences) => machine.with_preferences(preferences.clone(), ConfigFile, language::locale()),
+            Some(preferences) => {
+                machine.with_preferences(preferences.clone(), ConfigFile, language::locale())
+            }
             None => machine,
         }
     }

@@ -27,7 +27,9 @@ mod surface;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-use grafika::launch::{Failure, Install, Options, RunOptions, answer, exit, ordered, speaking, spoken, write_output};
+use grafika::launch::{
+    Failure, Install, Options, RunOptions, answer, exit, ordered, speaking, spoken, write_output,
+};
 use grafika::machine::Language;
 use grafika::programs::{self, ALL};
 use grafika::screen::visible;

@@ -3,7 +3,9 @@
 use crate::sample::extension;
 use clap::Args;
 use grafika::file::{Document, FileKind, Format};
-use grafika::launch::{Failure, Opened, TableArgs, input_kind, kind_of, open_as, open_cloud, write_output};
+use grafika::launch::{
+    Failure, Opened, TableArgs, answer, input_kind, kind_of, open_as, open_cloud, write_output,
+};
 use std::path::{Path, PathBuf};
 
 /// The file that a command reads.
@@ -98,6 +100,14 @@ impl Answer {
             Some(other) => {
                 Err(Failure::usage(format!("-o: {what} are written as .json or .txt, not .{other}")))
             }
+        }
+    }
+
+    /// Writes an answer in words, on standard output in the user's language.
+    pub(crate) fn tell(&self, text: &str) -> Result<(), Failure> {
+        match &self.output {
+            Some(_) => self.write(text.as_bytes()),
+            None => answer(text),
         }
     }
 

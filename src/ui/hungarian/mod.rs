@@ -54,7 +54,20 @@ pub fn find(english: &str) -> Option<String> {
 /// A help text of the command line in Hungarian, if the list has it.
 #[must_use]
 pub fn help(english: &str) -> Option<String> {
-    best(english, &HELP, DEPTH)
+    best(english, &[&HELP], DEPTH)
+}
+
+/// The help in Hungarian that the list has for exactly this text, such as a heading.
+#[must_use]
+pub fn heading(english: &str) -> Option<&'static str> {
+    rows(&HELP).find(|(key, _)| *key == english).map(|(_, hungarian)| hungarian)
+}
+
+/// Whether any list has a text: as a sentence, as help, or as what stands in the holes of these.
+#[must_use]
+pub fn knows(english: &str) -> bool {
+    let text = english.trim_start_matches(' ');
+    part(text, &SENTENCES, DEPTH).is_some() || help(text).is_some() || best(text, &[&PLACES], DEPTH).is_some()
 }
 
 /// A word in Hungarian, if the list has it, such as what stands for a value in the help.
@@ -78,7 +91,7 @@ fn rows(lists: Lists) -> impl Iterator<Item = (&'static str, &'static str)> {
 /// One sentence, several that are joined, or one behind what it is about.
 fn sentence(text: &str, lists: Lists, depth: usize) -> Option<String> {
     let depth = depth.checked_sub(1)?;
-    best(text, lists, depth).or_else(|| joined(text, lists, depth)).or_else(|| behind(text, lists, depth))
+    best(text, &[lists], depth).or_else(|| joined(text, lists, depth)).or_else(|| behind(text, lists, depth))
 }
 
 /// Sentences with semicolons between them, each of which is known.
@@ -94,15 +107,15 @@ fn joined(text: &str, lists: Lists, depth: usize) -> Option<String> {
 fn behind(text: &str, lists: Lists, depth: usize) -> Option<String> {
     let (about, rest) = text.split_once(": ")?;
     let rest = sentence(rest, lists, depth)?;
-    let about = best(about, &PLACES, depth).unwrap_or_else(|| about.to_owned());
+    let about = best(about, &[&PLACES], depth).unwrap_or_else(|| about.to_owned());
     Some(format!("{about}: {rest}"))
 }
 
 /// The row that fits a text best, with what stands in its holes, in Hungarian where it is to be.
-fn best(text: &str, lists: Lists, depth: usize) -> Option<String> {
+fn best(text: &str, lists: &[Lists], depth: usize) -> Option<String> {
     let mut found = None;
     let mut most = 0;
-    for (english, hungarian) in rows(lists) {
+    for (english, hungarian) in lists.iter().flat_map(|lists| rows(lists)) {
         let pattern = Pattern::new(english);
         // A text without holes is meant before one with.
         let letters = 2 * pattern.letters() + usize::from(pattern.is_fixed());
@@ -115,7 +128,7 @@ fn best(text: &str, lists: Lists, depth: usize) -> Option<String> {
     }
     let (values, hungarian) = found?;
     let value = |(translated, value): (bool, &str)| {
-        let told = if translated { part(value, lists, depth) } else { None };
+        let told = lists.first().filter(|_| translated).and_then(|lists| part(value, lists, depth));
         told.unwrap_or_else(|| value.to_owned())
     };
     let values: Vec<String> = values.into_iter().map(value).collect();
@@ -126,7 +139,7 @@ fn best(text: &str, lists: Lists, depth: usize) -> Option<String> {
 fn part(value: &str, lists: Lists, depth: usize) -> Option<String> {
     let depth = depth.checked_sub(1)?;
     let word = word(value).map(str::to_owned);
-    word.or_else(|| best(value, &WORDS, depth)).or_else(|| sentence(value, lists, depth))
+    word.or_else(|| best(value, &[lists, &WORDS], depth)).or_else(|| sentence(value, lists, depth))
 }
 
 #[cfg(test)]

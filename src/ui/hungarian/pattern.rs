@@ -55,7 +55,13 @@ impl Pattern {
             rest = rest.get(at + after.len()..)?;
         }
         values.push((last.0, rest.strip_suffix(last.1)?));
-        values.iter().all(|(_, value)| !value.is_empty()).then_some(values)
+        // A plain value is a name or a number, not the end of another sentence.
+        values
+            .iter()
+            .all(|(translated, value)| {
+                !value.is_empty() && (*translated || !value.contains("; ") && !value.contains(": "))
+            })
+            .then_some(values)
     }
 }
 
