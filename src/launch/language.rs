@@ -81,20 +81,37 @@ pub fn speaking(command: Command, language: Language) -> Command {
     }
 }
 
-/// The words of a command line, `--lang` before a command moved behind it, where the command takes it.
+/// The words of a command line, `--lang` before a command moved behind it, where the command takes it. `help` takes no
+/// option: it needs none, since it is in the language already.
 #[must_use]
 pub fn ordered(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut words: Vec<OsString> = words.into_iter().collect();
-    let count = match words.get(1).and_then(|word| word.to_str()).and_then(|word| word.strip_prefix(OPTION)) {
-        Some("") => 2,
-        Some(value) if value.starts_with('=') => 1,
-        _ => return words,
-    };
+    let count = words.get(1).and_then(|word| length(word)).unwrap_or(0);
+    if words.get(count + 1).is_some_and(|word| word == OsStr::new("help")) {
+        let mut kept = Vec::new();
+        let mut words = words.into_iter();
+        while let Some(word) = words.next() {
+            match length(&word) {
+                Some(2) => drop(words.next()),
+                Some(_) => {}
+                None => kept.push(word),
+            }
+        }
+        return kept;
+    }
     let follows = words.get(count + 1).is_some_and(|word| !word.to_string_lossy().starts_with('-'));
     if follows && let Some(moved) = words.get_mut(1..=count + 1) {
         moved.rotate_right(1);
     }
     words
+}
+
+/// How many words the option is that begins with this one: its value is the next, or stands behind a sign of equality.
+fn length(word: &OsStr) -> Option<usize> {
+    match word.to_str()?.strip_prefix(OPTION)? {
+        "" => Some(2),
+        value => value.starts_with('=').then_some(1),
+    }
 }
 
 /// The help of a command and of all below it in Hungarian. What the list lacks stays English.
@@ -183,6 +200,9 @@ mod tests {
             ("grafika --lang", "grafika --lang"),
             ("grafika --lang hu --help", "grafika --lang hu --help"),
             ("grafika list", "grafika list"),
+            ("grafika", "grafika"),
+            ("grafika --lang hu help fit", "grafika help fit"),
+            ("grafika help fit --lang=hu", "grafika help fit"),
         ] {
             assert_eq!(ordered(words(line)), words(right), "{line}");
         }

@@ -55,13 +55,10 @@ impl Pattern {
             rest = rest.get(at + after.len()..)?;
         }
         values.push((last.0, rest.strip_suffix(last.1)?));
-        // A plain value is a name or a number, not the end of another sentence.
-        values
-            .iter()
-            .all(|(translated, value)| {
-                !value.is_empty() && (*translated || !value.contains("; ") && !value.contains(": "))
-            })
-            .then_some(values)
+        // A plain value is a name or a number, not a part of another sentence.
+        let plain = |value: &str| !value.contains("; ") && !value.contains(": ") && !value.ends_with(':');
+        let fits = |(told, value): &(bool, &str)| !value.is_empty() && (*told || plain(value));
+        values.iter().all(fits).then_some(values)
     }
 }
 
