@@ -106,7 +106,7 @@ fn joined(text: &str, lists: Lists, depth: usize) -> Option<String> {
 /// A sentence behind a colon; before it stands a file, or a place in one.
 fn behind(text: &str, lists: Lists, depth: usize) -> Option<String> {
     let (about, rest) = text.split_once(": ")?;
-    let rest = sentence(rest, lists, depth)?;
+    let rest = sentence(rest, lists, depth).or_else(|| word(rest).map(str::to_owned))?;
     let about = best(about, &[&PLACES], depth).unwrap_or_else(|| about.to_owned());
     Some(format!("{about}: {rest}"))
 }
