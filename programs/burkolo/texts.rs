@@ -1,7 +1,7 @@
 //! What BURKOLO says, in Hungarian and English.
 
 use crate::geometry::skin::{MAX_BALLS, Violation};
-use crate::ui::{Hot, Phrase, Words};
+use crate::ui::{Hot, Phrase, Words, hungarian};
 
 pub(super) const NO_DOCUMENT: Words = Words(
     "Ebben a fájlban nincsenek körök, gömbök: .KOR, .GOM",
@@ -127,38 +127,27 @@ pub(super) fn missing(circle: usize) -> Phrase {
 }
 
 /// The sentence about the first of the broken rules, and how many more there are.
-pub(super) fn broken(violations: &[Violation], hungarian: (&str, &str), english: &str) -> Option<Phrase> {
+fn broken(violations: &[Violation], noun: &str) -> Option<Phrase> {
     let violation = violations.first()?;
     let rest = if violations.len() > 1 { format!(" (+{})", violations.len() - 1) } else { String::new() };
-    let mut said = violation.sentence(english);
-    if let Some(first) = said.get_mut(..1) {
-        first.make_ascii_uppercase();
-    }
-    Some(Phrase::new(format!("{}{rest}", in_hungarian(violation, hungarian)), format!("{said}{rest}")))
-}
-
-/// The same as [`Violation::sentence`]; the noun as subject and as object.
-fn in_hungarian(violation: &Violation, (noun, object): (&str, &str)) -> String {
-    match *violation {
-        Violation::Covered { number } => format!("A(z) {}. {object} a többi lefedi", number + 1),
-        Violation::Meet { numbers: [a, b] } => format!("A(z) {}. és {}. {noun} összeér", a + 1, b + 1),
-        Violation::MeetOutside { numbers: [a, b], middle } => {
-            format!("A(z) {}. és {}. {noun} a(z) {}. {noun}ön kívül is összeér", a + 1, b + 1, middle + 1)
+    let said = violation.sentence(noun);
+    let [hungarian, english] = [hungarian::told(&said), said].map(|mut said| {
+        if let Some(first) = said.get_mut(..1) {
+            first.make_ascii_uppercase();
         }
-        Violation::NoHole { numbers: [a, b, c] } => {
-            format!("A(z) {}., {}. és {}. {noun} nem hagy lyukat a gyűrűben", a + 1, b + 1, c + 1)
-        }
-    }
+        said + &rest
+    });
+    Some(Phrase::new(hungarian, english))
 }
 
 /// The sentence about circles.
 pub(super) fn rule(violations: &[Violation]) -> Option<Phrase> {
-    broken(violations, ("kör", "kört"), "circle")
+    broken(violations, "circle")
 }
 
 /// The sentence about spheres.
 pub(super) fn sphere_rule(violations: &[Violation]) -> Option<Phrase> {
-    broken(violations, ("gömb", "gömböt"), "sphere")
+    broken(violations, "sphere")
 }
 
 /// A sphere has been deleted.

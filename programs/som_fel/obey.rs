@@ -152,8 +152,8 @@ impl Trainer {
             return Ok(learning.clone());
         }
         let cloud = state.cloud().ok_or(Phrase::from(texts::NO_CLOUD))?;
-        let start = state.settings.start(cloud).map_err(|error| texts::net_problem(&error))?;
-        Learning::new(cloud, start, state.settings.rule()).map_err(|error| texts::net_problem(&error))
+        let start = state.settings.start(cloud).map_err(|error| Phrase::plain(&error))?;
+        Learning::new(cloud, start, state.settings.rule()).map_err(|error| Phrase::plain(&error))
     }
 
     fn begin_to_learn(&mut self, desk: &mut Desk<'_>) {
@@ -193,7 +193,7 @@ impl Trainer {
         let seedling = match Net::seedling(&named.cloud, topology, seed) {
             Ok(seedling) => seedling,
             Err(error) => {
-                desk.tell(texts::net_problem(&error), Stay::UntilRead);
+                desk.tell(Phrase::plain(&error), Stay::UntilRead);
                 return Ok(());
             }
         };
@@ -201,7 +201,7 @@ impl Trainer {
             .meaning(&*self, texts::LIMIT, &LIMIT.to_string(), |text| {
                 let limit = whole(text, [1, MAX_NEURONS as u64])?;
                 Learning::growing(&named.cloud, seedling.clone(), limit as usize, seed)
-                    .map_err(|error| texts::net_problem(&error))
+                    .map_err(|error| Phrase::plain(&error))
             })
             .await?;
         self.options.shown = Shown::Both;
@@ -223,7 +223,7 @@ impl Trainer {
                 self.history.change(state.with_surface(surface));
                 self.warn_of_no_area(desk);
             }
-            Err(error) => desk.tell(texts::fit_problem(&error), Stay::UntilRead),
+            Err(error) => desk.tell(Phrase::plain(&error), Stay::UntilRead),
         }
     }
 
@@ -249,7 +249,7 @@ impl Trainer {
         };
         // What cannot be fitted is said before the question.
         if let Err(error) = Fit::new(cloud, net, 0) {
-            desk.tell(texts::fit_problem(&error), Stay::UntilRead);
+            desk.tell(Phrase::plain(&error), Stay::UntilRead);
             return Ok(());
         }
         let proposal = Fit::CORRECTIONS.to_string();
@@ -258,7 +258,7 @@ impl Trainer {
             .await?;
         match Fit::new(cloud, net, corrections as usize) {
             Ok(fit) => self.begin(Run::Fitting(Box::new(fit))),
-            Err(error) => desk.tell(texts::fit_problem(&error), Stay::UntilRead),
+            Err(error) => desk.tell(Phrase::plain(&error), Stay::UntilRead),
         }
         Ok(())
     }

@@ -181,5 +181,5 @@ pub(super) async fn ask_net(trainer: &mut Trainer, desk: &mut Desk<'_>) -> Asked
 /// Why there is no net of these settings, if there is none.
 fn impossible(settings: &Settings, cloud: Option<&Cloud>) -> Option<Phrase> {
     let any = Cloud::new(vec![[0.0; 3]]).ok()?;
-    settings.start(cloud.unwrap_or(&any)).err().map(|error| texts::net_problem(&error))
+    settings.start(cloud.unwrap_or(&any)).err().map(|error| Phrase::plain(&error))
 }

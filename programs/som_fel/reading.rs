@@ -91,7 +91,7 @@ impl Reading {
     pub(super) fn finish(self) -> Result<Found, Phrase> {
         let cloud = self.reader.finish().map_err(|error| words::in_file(&self.name, &error))?;
         let told = texts::file_told(&self.name, &cloud);
-        let cloud = Cloud::new(cloud.points).map_err(|error| texts::cloud_problem(&error))?;
+        let cloud = Cloud::new(cloud.points).map_err(|error| Phrase::plain(&error))?;
         Ok(Found { cloud, told })
     }
 }

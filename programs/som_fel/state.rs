@@ -39,7 +39,7 @@ impl Recipe {
     /// The cloud.
     pub(super) fn cloud(&self) -> Result<Cloud, Phrase> {
         Cloud::of_shape(self.shape(), self.points as usize, self.noise, self.seed.into())
-            .map_err(|error| texts::cloud_problem(&error))
+            .map_err(|error| Phrase::plain(&error))
     }
 }
 
@@ -234,13 +234,12 @@ impl State {
     pub(super) fn opened(document: &Document, name: &str) -> Result<State, Phrase> {
         match document {
             Document::Som(net) => {
-                let net = Net::new(net.topology, &net.points).map_err(|error| texts::net_problem(&error))?;
+                let net = Net::new(net.topology, &net.points).map_err(|error| Phrase::plain(&error))?;
                 let settings = Settings { size: net.size(), ..Settings::for_topology(net.topology()) };
                 Ok(State { settings, net: Some(Rc::new(net)), ..State::default() })
             }
             Document::Cloud(cloud) => {
-                let cloud =
-                    Cloud::new(cloud.points.as_slice()).map_err(|error| texts::cloud_problem(&error))?;
+                let cloud = Cloud::new(cloud.points.as_slice()).map_err(|error| Phrase::plain(&error))?;
                 Ok(State::default().with_cloud(Named { cloud, source: Source::File(name.to_owned()) }))
             }
             _ => Err(texts::NO_DOCUMENT.into()),
@@ -305,7 +304,7 @@ impl Rescued {
         let topology = Topology::of_name(&self.topology).ok_or(Phrase::from(texts::NO_DOCUMENT))?;
         let net = match self.neurons.as_slice() {
             [] => None,
-            rows => Some(Net::new(topology, rows).map_err(|error| texts::net_problem(&error))?),
+            rows => Some(Net::new(topology, rows).map_err(|error| Phrase::plain(&error))?),
         };
         let (cloud, file) = match self.cloud {
             Some(Source::Made(recipe)) => {

@@ -1,9 +1,9 @@
 //! What SOM_FEL says, in Hungarian and English.
 
 use crate::file;
-use crate::geometry::cloud::{CloudError, CloudShape, MAX_CLOUD};
-use crate::geometry::fit::{FitError, Report};
-use crate::geometry::kohonen::{End, KohonenError, MAX_NEURONS, MAX_SIDE, Topology, Weighting};
+use crate::geometry::cloud::CloudShape;
+use crate::geometry::fit::Report;
+use crate::geometry::kohonen::{End, Topology, Weighting};
 use crate::ui::{KeyHelp, Phrase, Words, line};
 
 pub(super) const NO_DOCUMENT: Words = Words(
@@ -247,46 +247,6 @@ pub(super) fn fitted(report: &Report) -> Phrase {
 /// A number is to be in a range.
 pub(super) fn between(low: u64, high: u64) -> Phrase {
     Phrase::new(format!("{low} és {high} között kell"), format!("{low} to {high}, please"))
-}
-
-pub(super) fn cloud_problem(error: &CloudError) -> Phrase {
-    let hungarian = match error {
-        CloudError::Empty => "A felhőben nincs pont; legalább egy kell".to_owned(),
-        CloudError::TooMany { given } => format!("A felhő {given} pontja sok; legfeljebb {MAX_CLOUD} lehet"),
-        CloudError::Coordinate { number } => {
-            format!("A felhő {number}. pontjának egyik koordinátája nem véges szám")
-        }
-        CloudError::Noise { given } => format!("A zaj {given}; 0 és 1000 között kell"),
-    };
-    Phrase::new(hungarian, error.to_string())
-}
-
-pub(super) fn net_problem(error: &KohonenError) -> Phrase {
-    let hungarian = match error {
-        KohonenError::Size { given: [rows, columns], least: [m, n] } => format!(
-            "{rows} x {columns} neuron nem lehet; {m} x {n} kell legalább, soronként {MAX_SIDE}, összesen \
-             {MAX_NEURONS} lehet"
-        ),
-        KohonenError::Limit { given, least } => {
-            format!("{given} neuronig nem nőhet; {least} és {MAX_NEURONS} között kell")
-        }
-        KohonenError::Steps { given } => format!("{given} lépés nem lehet; legalább 1 kell"),
-        KohonenError::Points(_) | KohonenError::Parameter { .. } => return Phrase::plain(error),
-    };
-    Phrase::new(hungarian, error.to_string())
-}
-
-pub(super) fn fit_problem(error: &FitError) -> Phrase {
-    let hungarian = match error {
-        FitError::Net { given: [rows, columns] } => format!(
-            "{rows} x {columns} neuronból nincs köbös felület; legalább 4 sor és 4 oszlop kell, görbéhez egy"
-        ),
-        FitError::TooFewPoints { given, needed } => {
-            format!("{needed} kontrollponthoz kevés a {given} pont: kisebb háló kell (H)")
-        }
-        FitError::Knots(_) => return Phrase::plain(error),
-    };
-    Phrase::new(hungarian, error.to_string())
 }
 
 #[cfg(test)]

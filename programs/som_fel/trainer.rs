@@ -261,7 +261,7 @@ impl Trainer {
                     self.options.shown = Shown::Points;
                     self.say(told, Stay::UntilRead);
                 }
-                Err(error) => self.say(texts::fit_problem(&error), Stay::UntilRead),
+                Err(error) => self.say(Phrase::plain(&error), Stay::UntilRead),
             }
             self.live = None;
             return;

@@ -1,8 +1,10 @@
 //! The failure of a command: one line on stderr and an exit status.
 
-use super::{say, write_output};
+use super::language::page_in_hungarian;
+use super::{in_language, say, spoken, write_output};
 #[cfg(feature = "terminal")]
 use crate::display::terminal::TerminalError;
+use crate::machine::Language;
 use std::fmt;
 use std::process::ExitCode;
 
@@ -45,6 +47,11 @@ impl Failure {
         Failure { status: 0, told: Told::Nothing }
     }
 
+    /// What went wrong, in a language.
+    pub fn told(&self, language: Language) -> String {
+        in_language(&self.to_string(), language)
+    }
+
     fn with_status(status: u8, message: impl fmt::Display) -> Failure {
         Failure { status, told: Told::Problem(message.to_string()) }
     }
@@ -68,12 +75,30 @@ impl From<clap::Error> for Failure {
         if !error.use_stderr() {
             return Failure { status: 0, told: Told::Answer(text) };
         }
-        let lines = text.lines().map(str::trim);
-        let said = lines.filter(|line| !line.is_empty() && !line.starts_with("For more information"));
-        let message = said.map(tip).collect::<Vec<_>>().join("; ");
+        let lines = text.lines().map(|line| (line.len() - line.trim_start().len(), line.trim()));
+        let said = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with("For more information"));
+        let mut message = String::new();
+        for (indent, line) in said {
+            let line = tip(line);
+            // What is indented goes on with a list; tips and possible values are sentences of their own.
+            let goes_on = indent > 0
+                && !line.starts_with("tip: ")
+                && !line.starts_with('[')
+                && !line.starts_with(MEANT);
+            message += match message.chars().last() {
+                None => "",
+                Some(':') => " ",
+                Some(_) if goes_on => ", ",
+                Some(_) => "; ",
+            };
+            message += &line;
+        }
         Failure::usage(message.strip_prefix("error: ").unwrap_or(&message))
     }
 }
+
+/// How a question about what was meant begins.
+const MEANT: &str = "did you mean";
 
 /// clap's line about names that are alike, as the other messages say it.
 fn tip(line: &str) -> String {
@@ -82,7 +107,7 @@ fn tip(line: &str) -> String {
     });
     alike.map_or_else(
         || line.to_owned(),
-        |(_, names)| format!("did you mean {}?", names.replace(", ", " or ").replace('\'', "\"")),
+        |(_, names)| format!("{MEANT} {}?", names.replace(", ", " or ").replace('\'', "\"")),
     )
 }
 
@@ -104,7 +129,11 @@ pub fn exit(program: &str, result: Result<(), Failure>) -> ExitCode {
             say(program, &text);
             ExitCode::from(status)
         }
-        Told::Answer(text) => exit(program, write_output(format!("{}\n", text.trim_end()).as_bytes())),
+        Told::Answer(text) => {
+            let text = format!("{}\n", text.trim_end());
+            let text = if spoken() == Language::Hungarian { page_in_hungarian(&text) } else { text };
+            exit(program, write_output(text.as_bytes()))
+        }
         Told::Nothing => ExitCode::from(status),
     }
 }

@@ -9,6 +9,7 @@ mod config;
 mod display;
 mod failure;
 mod install;
+mod language;
 mod meant;
 mod open;
 mod options;
@@ -23,11 +24,12 @@ pub use config::{configure, settings};
 pub use display::{has_terminal, in_terminal};
 pub use failure::{Failure, exit};
 pub use install::{Install, Uninstall};
+pub use language::{in_language, ordered, speaking, spoken};
 pub use meant::meant;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{Tables, folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
-pub use outlet::{Overwrite, Target, say, write_file, write_output};
+pub use outlet::{Overwrite, Target, answer, say, write_file, write_output};
 pub use table::TableArgs;
 
 use crate::file::{Document, Format};
@@ -64,7 +66,10 @@ impl Program {
     /// # Errors
     /// [`Failure`] when the command line is wrong, or a file, a script or a display does not work.
     pub fn start_from(&self, arguments: impl IntoIterator<Item = OsString>) -> Result<(), Failure> {
-        let matches = self.command().try_get_matches_from(arguments)?;
+        let language = spoken();
+        // A program's own description is in both languages already.
+        let command = speaking(self.command(), language).about(self.manual.about.of(language));
+        let matches = command.try_get_matches_from(arguments)?;
         match self.command_line {
             CommandLine::Usual => self.start(&Options::from_arg_matches(&matches)?),
             CommandLine::Install => Install::from_arg_matches(&matches)?.run(),
@@ -129,7 +134,7 @@ impl Program {
             .map(|opened| (opened.name, with_json(opened.document, machine.storage(), &opened.file_name)))
             .unzip();
         let start = (self.start)(document).map_err(|problem| {
-            let problem = problem.of(run_options.language());
+            let problem = problem.of(run_options.spoken());
             Failure::work(
                 name.map_or_else(|| problem.to_owned(), |name: String| format!("{name}: {problem}")),
             )

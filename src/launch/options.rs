@@ -1,6 +1,6 @@
 //! The options that every program takes.
 
-use super::{Failure, TableArgs, config, say};
+use super::{Failure, TableArgs, config, language, say};
 use crate::disk::{BestsFile, ConfigFile, Folder, Offers, RecoveryFolder, UserFolder};
 use crate::machine::{Keeper, Language, Machine, Manner, Preferences, Script, Settings, Shown};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -51,7 +51,7 @@ pub struct Options {
 /// The options that say how a program runs.
 #[derive(Args, Clone, Debug, Default)]
 pub struct RunOptions {
-    /// Language of the texts; without it the locale decides
+    /// Language of the texts; without it the setting, then the locale decides
     #[arg(long, value_enum, value_name = "LANG")]
     lang: Option<Code>,
     /// Display; without it a window where one can be opened, else the terminal
@@ -108,13 +108,20 @@ impl RunOptions {
         Err(Failure::usage(refused))
     }
 
-    /// The language of the program's texts: as asked for, Hungarian in scripts, else the locale's.
+    /// The language of the program's texts: as asked for, Hungarian in scripts, else as it is told what goes wrong.
     pub fn language(&self) -> Language {
+        match self.lang {
+            None if self.script.is_some() => Language::Hungarian,
+            _ => self.spoken(),
+        }
+    }
+
+    /// The language of answers and errors: as asked for, else that of the settings or the locale.
+    pub(super) fn spoken(&self) -> Language {
         match self.lang {
             Some(Code::Hu) => Language::Hungarian,
             Some(Code::En) => Language::English,
-            None if self.script.is_some() => Language::Hungarian,
-            None => locale_language(),
+            None => language::usual(),
         }
     }
 
@@ -198,7 +205,9 @@ impl RunOptions {
         // The best results are seen on the screen: a recording without them is replayed alike.
         let machine = if alike { machine } else { machine.with_bests(BestsFile::default()) };
         match &self.preferences {
-            Some(preferences) => machine.with_preferences(preferences.clone(), ConfigFile, locale_language()),
+            Some(preferences) => {
+                machine.with_preferences(preferences.clone(), ConfigFile, language::locale())
+            }
             None => machine,
         }
     }
@@ -214,22 +223,4 @@ fn random_seed() -> u64 {
 fn manner_parser() -> impl TypedValueParser<Value = Manner> {
     let names = [Manner::Today, Manner::Original].map(Manner::name);
     PossibleValuesParser::new(names).map(|name| Manner::from_name(&name).unwrap_or_default())
-}
-
-/// Hungarian where the locale says so, English elsewhere.
-fn locale_language() -> Language {
-    let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
-    let named = variables.into_iter().filter_map(|name| std::env::var(name).ok()).find(|set| !set.is_empty());
-    match named.or_else(system_locale) {
-        Some(locale) if locale.to_ascii_lowercase().starts_with("hu") => Language::Hungarian,
-        _ => Language::English,
-    }
-}
-
-/// The locale of a system that does not put it into the environment: Windows, and macOS outside a shell.
-fn system_locale() -> Option<String> {
-    #[cfg(any(windows, target_os = "macos"))]
-    return sys_locale::get_locale();
-    #[cfg(not(any(windows, target_os = "macos")))]
-    None
 }

@@ -1,6 +1,6 @@
 //! Where scripts and commands write: files named on the command line.
 
-use super::Failure;
+use super::{Failure, in_language, spoken};
 use crate::disk::{reason, write_safely};
 use crate::figure::screen_png;
 use crate::machine::Outlet;
@@ -141,9 +141,18 @@ fn stays(path: &Path) -> Failure {
     Failure::work(format!("{} is there already and stays as it is; --force overwrites it", path.display()))
 }
 
-/// Says something on stderr in one line: who says it, and what, with control characters escaped. Where nobody can be
-/// told, nothing else fails.
+/// Writes an answer in words to standard output, in the user's language.
+///
+/// # Errors
+/// Those of [`write_output`].
+pub fn answer(text: &str) -> Result<(), Failure> {
+    write_output(in_language(text, spoken()).as_bytes())
+}
+
+/// Says something on stderr in one line and in the user's language: who says it, and what, with control characters
+/// escaped. Where nobody can be told, nothing else fails.
 pub fn say(who: &str, what: &str) {
     let line = what.split_whitespace().collect::<Vec<_>>().join(" ");
+    let line = in_language(&line, spoken());
     let _ = std::io::stderr().write_all(format!("{who}: {}\n", visible(&line)).as_bytes());
 }

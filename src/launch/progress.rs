@@ -1,6 +1,7 @@
 //! Progress of long work on stderr, if that is a terminal.
 
-use super::write_output;
+use super::{in_language, spoken, write_output};
+use crate::machine::Language;
 use crate::screen::visible;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
@@ -10,15 +11,18 @@ const TURN: Duration = Duration::from_millis(120);
 
 /// A bar of `total` parts; it vanishes when it is dropped.
 pub fn bar(what: &'static str, total: usize) -> Bar {
-    let bar = ProgressBar::new(total as u64).with_message(what);
-    Bar(styled(bar, "{msg} [{bar:40}] {pos}/{len} {eta}"))
+    let language = spoken();
+    let bar = ProgressBar::new(total as u64).with_message(in_language(what, language));
+    Bar(styled(bar, "{msg} [{bar:40}] {pos}/{len} {eta}"), language)
 }
 
 /// A spinner with the elapsed time, for work of unknown length.
 pub fn alive(what: &'static str) -> Bar {
-    let bar = styled(ProgressBar::new_spinner().with_message(what), "{spinner} {msg} {elapsed}");
+    let language = spoken();
+    let spinner = ProgressBar::new_spinner().with_message(in_language(what, language));
+    let bar = styled(spinner, "{spinner} {msg} {elapsed}");
     bar.enable_steady_tick(TURN);
-    Bar(bar)
+    Bar(bar, language)
 }
 
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
@@ -29,8 +33,8 @@ fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
     }
 }
 
-/// A bar that is removed when the work ends, however it ends.
-pub struct Bar(ProgressBar);
+/// A bar that is removed when the work ends, however it ends, with the language it speaks.
+pub struct Bar(ProgressBar, Language);
 
 impl Bar {
     /// One more part is done.
@@ -52,7 +56,7 @@ impl Bar {
 
     /// Says what is being done now.
     pub fn say(&self, what: String) {
-        self.0.set_message(what);
+        self.0.set_message(in_language(&what, self.1));
     }
 }
 

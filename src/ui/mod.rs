@@ -13,6 +13,7 @@ mod entry;
 mod frame;
 mod help;
 mod hint;
+pub mod hungarian;
 mod lesson;
 pub(crate) mod look;
 mod notice;

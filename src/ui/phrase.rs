@@ -1,5 +1,6 @@
 //! Texts in Hungarian and English, with or without a hot letter.
 
+use super::hungarian;
 use crate::machine::Language;
 use crate::screen::visible;
 use std::borrow::Cow;
@@ -36,10 +37,10 @@ impl Phrase {
         Phrase { hungarian: shown(hungarian.into()), english: shown(english.into()) }
     }
 
-    /// A phrase with the same text in both languages, such as an error of the library, which is in English.
+    /// A text of the library, such as an error, which is in English, with the Hungarian of the list.
     pub fn plain(text: &dyn std::fmt::Display) -> Phrase {
         let text = text.to_string();
-        Phrase::new(text.clone(), text)
+        Phrase::new(hungarian::told(&text), text)
     }
 
     /// The text in a language.

@@ -5,7 +5,7 @@ pub use super::phrase::{Hot, Phrase, Words};
 use crate::figure::FigureError;
 use crate::file::{FileError, Format};
 use crate::geometry::{GeometryError, Residuals};
-use crate::machine::{Language, StorageError, StorageProblem};
+use crate::machine::{Language, StorageError};
 use std::borrow::Cow;
 use std::time::Duration;
 
@@ -157,13 +157,7 @@ pub(crate) const HELP_POINTER: Words =
 
 /// What is wrong with a stored file.
 pub(crate) fn storage_problem(error: &StorageError) -> Phrase {
-    let StorageError { name, problem } = error;
-    let hungarian = match problem {
-        StorageProblem::NotFound => format!("{name}: nincs ilyen fájl"),
-        StorageProblem::BadName(_) => format!("{name}: érvénytelen fájlnév"),
-        StorageProblem::System(message) => format!("{name}: {message}"),
-    };
-    Phrase::new(hungarian, error.to_string())
+    Phrase::plain(error)
 }
 
 // The plane editor's help.
@@ -341,16 +335,9 @@ pub(crate) fn not_kept(problem: &str) -> Phrase {
     )
 }
 
-/// What is wrong in a data file. The rarer faults have their sentence in English only.
+/// What is wrong in a data file.
 pub(crate) fn in_file(name: &str, error: &FileError) -> Phrase {
-    let hungarian = match error {
-        FileError::Size { format, found } => {
-            let right = format.size().unwrap_or_default();
-            format!("{name}: a fájl {found} bájt; egy {format} fájl {right} bájt")
-        }
-        error => format!("{name}: hibás adat: {error}"),
-    };
-    Phrase::new(hungarian, format!("{name}: {error}"))
+    Phrase::plain(&format!("{name}: {error}"))
 }
 
 // Beta-splines and their joints.
@@ -403,7 +390,7 @@ pub(crate) const K0_NAME: Words = Words("k0", "k0");
 pub(crate) const BIAS_VALUE: Words = Words("Eltolás = ", "Bias = ");
 pub(crate) const TENSION_VALUE: Words = Words("Feszültség = ", "Tension = ");
 
-/// Why there is no curve. Rare reasons are in English only.
+/// Why there is no curve.
 pub(crate) fn no_curve(error: &GeometryError) -> Phrase {
     let GeometryError::CriticalTension { bias, critical, .. } = error else { return Phrase::plain(error) };
     let number = |value: &f64| format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_string();
@@ -596,13 +583,8 @@ pub(crate) fn taken_into(range: &std::ops::RangeInclusive<f64>) -> Phrase {
     )
 }
 
-/// Why there is no surface. Rare reasons are in English only.
+/// Why there is no surface.
 pub(crate) fn no_surface(error: &GeometryError) -> Phrase {
-    if let GeometryError::OddMeridians { given } = error {
-        let hungarian =
-            format!("{given} délgörbe: a számuk páros kell legyen, mert szemköztiek kapcsolódnak");
-        return Phrase::new(hungarian, error.to_string());
-    }
     let GeometryError::CriticalTension { bias, critical, .. } = error else { return Phrase::plain(error) };
     Phrase::new(
         format!("{bias:.2} eltolásnál a {critical:.2} feszültség kritikus: nincs felület. Más kell: C"),

@@ -18,10 +18,11 @@ impl Folder {
         self.0.path().join(name)
     }
 
-    /// Runs `grafika` there with the words of a line.
+    /// Runs `grafika` there with the words of a line, in English whatever the locale is.
     pub(crate) fn run(&self, line: &str) -> Output {
         Command::new(env!("CARGO_BIN_EXE_grafika"))
             .current_dir(self.0.path())
+            .env("LC_ALL", "C")
             .args(line.split(' ').filter(|word| !word.is_empty()))
             .output()
             .expect("it starts")

@@ -4,7 +4,7 @@ use crate::source::{InputFormat, Source};
 use crate::space;
 use clap::Args;
 use grafika::file::Document;
-use grafika::launch::{Failure, TableArgs, say, write_output};
+use grafika::launch::{Failure, TableArgs, answer, say, write_output};
 use grafika::screen::visible;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -55,10 +55,10 @@ impl Info {
             }
             text.extend(lines.iter().map(|line| format!("{}\n", visible(line))));
         }
-        if self.json {
-            text = format!("{:#}\n", Value::Array(list));
+        match self.json {
+            true => write_output(format!("{:#}\n", Value::Array(list)).as_bytes())?,
+            false => answer(&text)?,
         }
-        write_output(text.as_bytes())?;
         failed.map_or(Ok(()), Err)
     }
 

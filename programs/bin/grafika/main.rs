@@ -30,7 +30,8 @@ mod surface;
 use clap::error::ErrorKind;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use grafika::launch::{
-    Failure, Install, Options, RunOptions, Uninstall, complete, exit, meant, write_output,
+    Failure, Install, Options, RunOptions, Uninstall, complete, exit, meant, ordered, speaking, spoken,
+    write_output,
 };
 use grafika::programs::{self, ALL};
 #[cfg(feature = "terminal")]
@@ -139,7 +140,8 @@ fn run() -> Result<(), Failure> {
     if let Some(help) = program_help() {
         return Err(help);
     }
-    let matches = Cli::command().try_get_matches()?;
+    let command = speaking(Cli::command(), spoken());
+    let matches = command.try_get_matches_from(ordered(std::env::args_os()))?;
     check_outputs(&matches)?;
     let cli = Cli::from_arg_matches(&matches)?;
     match cli.command {
@@ -213,7 +215,7 @@ fn show_text_menu(options: &RunOptions) -> Result<(), Failure> {
         let mut options = options.in_language(menu.language());
         options.display = Some(DisplayKind::Terminal);
         if let Err(failure) = program.visit(options) {
-            menu.tell(failure.to_string());
+            menu.tell(failure.told(menu.language()));
         }
     }
 }
@@ -253,7 +255,7 @@ impl List {
         // Writing to a string cannot fail.
         let _ = match self.json {
             false => ALL.iter().try_for_each(|program| {
-                writeln!(text, "{:10} {}", program.manual.name, program.manual.about.1)
+                writeln!(text, "{:10} {}", program.manual.name, program.manual.about.of(spoken()))
             }),
             true => {
                 let programs = ALL.iter().map(|program| {

@@ -35,8 +35,10 @@ impl Measure {
             let alive = progress::alive("measuring");
             let measured = normals::measured(net, &name)?;
             drop(alive);
-            let text = if json { measured.to_string() } else { normals::told(&measured).join("\n") };
-            return self.answer.write(format!("{text}\n").as_bytes());
+            return match json {
+                true => self.answer.write(format!("{measured}\n").as_bytes()),
+                false => self.answer.tell(&format!("{}\n", normals::told(&measured).join("\n"))),
+            };
         }
         let shape = PhShape::of(&design, &name)?;
         let alive = progress::alive("measuring");
@@ -47,7 +49,7 @@ impl Measure {
             (PhShape::Space(curve), false) => space_text(curve),
         };
         drop(alive);
-        self.answer.write(text.as_bytes())
+        if json { self.answer.write(text.as_bytes()) } else { self.answer.tell(&text) }
     }
 }
 

@@ -5,7 +5,8 @@ use crate::Cli;
 use crate::page::page;
 use clap::{Args, CommandFactory};
 use grafika::disk::reason;
-use grafika::launch::{Failure, ShellName, meant, registration, write_file, write_output};
+use grafika::launch::{Failure, ShellName, meant, registration, speaking, write_file, write_output};
+use grafika::machine::Language;
 use grafika::programs::{ALL, by_name};
 use grafika::ui::Program;
 use std::path::PathBuf;
@@ -30,7 +31,7 @@ pub(crate) struct Manuals {
 
 /// The command line of `grafika` with every program as a command.
 pub(crate) fn whole() -> clap::Command {
-    let mut whole = unbuilt();
+    let mut whole = speaking(unbuilt(), Language::English);
     whole.build();
     whole
 }
@@ -104,6 +105,7 @@ mod tests {
     use super::*;
     use clap::Command;
     use grafika::launch::completed;
+    use grafika::ui::hungarian;
 
     /// Calls `see` for a command and all below it, with the words that lead there.
     fn walk(command: &Command, path: &str, see: &mut impl FnMut(&Command, &str)) {
@@ -255,6 +257,40 @@ mod tests {
         let mut commands = 0;
         walk(&whole(), "grafika", &mut |_, _| commands += 1);
         assert_eq!(pages.len(), commands);
+    }
+
+    #[test]
+    fn every_help_text_has_its_hungarian() {
+        let mut missing = Vec::new();
+        let mut look = |text: &str, place: String| {
+            let lines = text.lines().filter(|line| !line.is_empty());
+            missing.extend(
+                lines.filter(|line| hungarian::help(line).is_none()).map(|line| format!("{place}: {line}")),
+            );
+        };
+        walk(&whole(), "grafika", &mut |command, path| {
+            // Programs describe themselves in both languages.
+            let program = by_name(command.get_name()).is_some();
+            for about in
+                [command.get_about(), command.get_long_about()].into_iter().flatten().filter(|_| !program)
+            {
+                look(&about.to_string(), path.to_owned());
+            }
+            for option in command.get_arguments() {
+                let helps = [option.get_help(), option.get_long_help()];
+                helps
+                    .into_iter()
+                    .flatten()
+                    .for_each(|help| look(&help.to_string(), format!("{path} {}", option.get_id())));
+                for value in option.get_possible_values() {
+                    value
+                        .get_help()
+                        .iter()
+                        .for_each(|help| look(&help.to_string(), format!("{path} {}", value.get_name())));
+                }
+            }
+        });
+        assert!(missing.is_empty(), "{}", missing.join("\n"));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::source::InputFormat;
 use clap::Args;
 use grafika::disk::{read_stream, reason};
 use grafika::file::{CsangoCube, Document, TableOptions};
-use grafika::launch::{Failure, open_as, progress, write_output};
+use grafika::launch::{Failure, answer, open_as, progress, write_output};
 use grafika::puzzle::cube::{Count, PIECES, Placed, Rules, Solver as CubeSolver, all_fillings};
 use grafika::puzzle::wheel::{Search, Solver, Wheel, moves_from_text, moves_to_text};
 use serde_json::json;
@@ -56,7 +56,7 @@ impl Solve {
     /// Solves and tells.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let from = self.from.from;
-        let Some(puzzle) = &self.puzzle else { return write_output(self.number(&[]).as_bytes()) };
+        let Some(puzzle) = &self.puzzle else { return self.tell(&self.number(&[])) };
         if puzzle == "-" && from.is_none() {
             let failure = |problem: String| Failure::work(format!("standard input: {problem}"));
             let text = read_stream(std::io::stdin().lock()).map_err(|error| failure(reason(&error)))?;
@@ -126,12 +126,17 @@ impl Solve {
             false => format!("not proven shortest; at least {at_least} are needed"),
         };
         let text = format!("{text}\n{count} moves, {proof}\n");
-        write_output(text.as_bytes())
+        answer(&text)
     }
 
     fn write_cube(&self, position: &CsangoCube) -> Result<(), Failure> {
         let text = self.cube(position).map_err(|why| self.problem(why))?;
-        write_output(text.as_bytes())
+        self.tell(&text)
+    }
+
+    /// Writes an answer: words in the user's language, JSON as it is.
+    fn tell(&self, text: &str) -> Result<(), Failure> {
+        if self.json { write_output(text.as_bytes()) } else { answer(text) }
     }
 
     /// The Csángó cube: the moves from the position to the finished cube, or the number of fillings.

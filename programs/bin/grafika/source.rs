@@ -4,7 +4,7 @@ use crate::sample::extension;
 use clap::Args;
 use grafika::file::{Document, FileKind, Format};
 use grafika::launch::{
-    Failure, Opened, Overwrite, TableArgs, input_kind, kind_of, meant, open_as, open_cloud,
+    Failure, Opened, Overwrite, TableArgs, answer, input_kind, kind_of, meant, open_as, open_cloud,
 };
 use std::path::{Path, PathBuf};
 
@@ -108,6 +108,14 @@ impl Answer {
             Some(other) => {
                 Err(Failure::usage(format!("-o: {what} are written as .json or .txt, not .{other}")))
             }
+        }
+    }
+
+    /// Writes an answer in words, on standard output in the user's language.
+    pub(crate) fn tell(&self, text: &str) -> Result<(), Failure> {
+        match &self.output {
+            Some(_) => self.write(text.as_bytes()),
+            None => answer(text),
         }
     }
 

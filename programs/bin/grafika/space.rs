@@ -19,7 +19,7 @@ const BASIS_EXAMPLES: &str = "Examples:
 /// A space, as the first word of a command line.
 #[derive(Args)]
 pub(crate) struct SpaceArg {
-    /// Roots as in \"0^3,i^2,2i\" or \"0,1/4+i\", a family (P5 T3 H2 AT2 AH2 AET1 M4(1,0.2)), or a .kct, .kcg or .kce file
+    /// Roots as in "0^3,i^2,2i" or "0,1/4+i", a family (P5 T3 H2 AT2 AH2 AET1 M4(1,0.2)), or a .kct, .kcg or .kce file
     #[arg(value_name = "SPACE", allow_hyphen_values = true)]
     space: String,
 }
