@@ -26,7 +26,7 @@ const ROOMS: [&str; 13] = [
 const FILES: [&str; 3] =
     ["programs/telepit/job.rs", "programs/telepit/plan.rs", "programs/telepit/journal.rs"];
 /// Sources whose texts are files, not sentences, or are in both languages already.
-const OTHERS: [&str; 11] = [
+const OTHERS: [&str; 13] = [
     "src/figure/svg.rs",
     "src/figure/screen_shapes.rs",
     "src/figure/mesh.rs",
@@ -37,10 +37,21 @@ const OTHERS: [&str; 11] = [
     "src/display/terminal/input.rs",
     "src/display/terminal/mod.rs",
     "src/launch/language.rs",
+    "src/machine/pointing.rs",
+    "programs/bin/grafika/page.rs",
     "programs/bin/grafika/reference.rs",
 ];
 /// Parts of sentences that stand in the list as a whole, and what nobody is told.
 const PARTS: &[&str] = &[
+    " (os error",
+    "7 is there already. Overwrite it? [y/N] ",
+    "; did you mean 7?",
+    "did you mean",
+    "no data file has this extension7; there are 7 .json .csv, and for reading .7",
+    "7: no data file has this extension7; there are 7 .json .csv, and for reading .7",
+    "no data file has this extension7; there are 7",
+    "if [[ ${funcstack[1]} == _7 ]]; then _clap_dynamic_completer_7 \"$@\"; fi",
+    "built-in sample",
     "is not a finite number",
     "divides by zero",
     "has a root of what is negative",

@@ -177,3 +177,64 @@ fn sixel_terminals_get_sixel() {
     });
     assert!(!terminal.wrote(b"\x1b_Ga=T"));
 }
+
+/// On a line of 115 200 baud the last picture is there within a second after the last key.
+#[test]
+fn a_slow_line_shows_the_last_picture_soon() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_gb_2d_ip"));
+    command.args(["A.IP2", "--display", "terminal", "--lang", "en"]);
+    command.env("COLORTERM", "truecolor");
+    command.env("LC_ALL", "C.UTF-8");
+    command.env("XDG_STATE_HOME", folder.path());
+    command.env("XDG_CONFIG_HOME", folder.path());
+    let mut terminal = Terminal::start_on(80, 24, command, Some(115_200 / 10));
+    terminal.answer(PLAIN);
+    terminal.wait_for("-change");
+    std::thread::sleep(Duration::from_secs(2));
+    // Somebody drags point 37 about, faster than the line can show it.
+    terminal.send("\x1b[<0;38;13M");
+    for turn in 0..200 {
+        let (column, row) = (36 + turn % 9, 12 + turn % 5);
+        terminal.send(&format!("\x1b[<32;{column};{row}M"));
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    terminal.send("\x1b[<0;30;21m\x1b[<35;30;21M");
+    std::thread::sleep(Duration::from_secs(1));
+    let pointer = |terminal: &Terminal| {
+        let parser = terminal.screen.lock().unwrap();
+        parser.screen().cell(20, 29).map(|cell| cell.bgcolor())
+    };
+    assert_eq!(pointer(&terminal), Some(vt100::Color::Rgb(170, 0, 0)), "{}", terminal.contents());
+}
+
+/// While something turns, at most 200 KiB a second are sent, with graphics too.
+#[test]
+fn what_moves_does_not_flood_the_line() {
+    let kitty = "\x1b_Gi=31;OK\x1b\\\x1b[6;20;10t\x1b[?62;c";
+    let sixel = "\x1b[6;20;10t\x1b[?62;4c";
+    for answers in [kitty, sixel, PLAIN] {
+        let folder = tempfile::TempDir::new().unwrap();
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_gyongy_k"));
+        command.args(["--display", "terminal", "--lang", "en"]);
+        command.env("COLORTERM", "truecolor");
+        command.env("LC_ALL", "C.UTF-8");
+        command.env("XDG_STATE_HOME", folder.path());
+        command.env("XDG_CONFIG_HOME", folder.path());
+        let mut terminal = Terminal::start(120, 40, command);
+        terminal.answer(answers);
+        std::thread::sleep(Duration::from_millis(700));
+        terminal.send("\x1b");
+        std::thread::sleep(Duration::from_millis(300));
+        // The demonstration.
+        terminal.send("x");
+        std::thread::sleep(Duration::from_secs(5));
+        let sent = || terminal.output.lock().unwrap().len();
+        let before = sent();
+        std::thread::sleep(Duration::from_secs(3));
+        let sent = sent() - before;
+        assert!(sent > 2000, "nothing moves: {sent} bytes");
+        // The last picture of the time before is among them.
+        assert!(sent < 200 * 1024 * 3 + 100_000, "{sent} bytes in three seconds");
+    }
+}

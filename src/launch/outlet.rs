@@ -65,7 +65,7 @@ pub struct Overwrite {
     /// Overwrite files that are there, without asking
     #[arg(short, long, conflicts_with = "no_clobber")]
     force: bool,
-    /// Leave files that are there as they are [default: ask in a terminal, overwrite elsewhere]
+    /// Leave files that are there as they are; else a terminal asks, and elsewhere they are overwritten
     #[arg(short, long)]
     no_clobber: bool,
 }

@@ -82,7 +82,16 @@ impl Journal {
             return;
         }
         self.letters = self.letters.saturating_add(note.text.len());
-        self.notes.insert((y, x), note);
+        let length = note.text.chars().count();
+        let Some(before) = self.notes.insert((y, x), note).filter(|before| before.strokes.is_none()) else {
+            return;
+        };
+        // Of a longer text the rest may stand still.
+        let rest: String = before.text.chars().skip(length).collect();
+        let end = i32::try_from(length).ok().and_then(|length| x.checked_add(length.checked_mul(SIZE)?));
+        if let Some(end) = end.filter(|_| !rest.trim().is_empty()) {
+            self.notes.entry((y, end)).or_insert(Note { text: rest.into(), ..before });
+        }
     }
 
     pub(super) fn is_long(&self) -> bool {
@@ -191,8 +200,12 @@ impl Screen {
             let enough = 2 * seen >= all && inside && letters.iter().all(|&ch| has_letter(ch));
             if enough { Seen::Parts(vec![text(first, last, true)]) } else { Seen::Nothing }
         } else {
+            // A frame may touch a letter of a word.
+            let touched =
+                |from: usize, to: usize| shown[from..to].iter().filter(|seen| **seen != Some(true)).count();
+            let known = |from: usize, to: usize| letters[from..to].iter().all(|&ch| has_letter(ch));
             let whole =
-                words(&shown).filter(|&(from, to)| shown[from..to].iter().all(|seen| *seen == Some(true)));
+                words(&shown).filter(|&(from, to)| 4 * touched(from, to) <= to - from && known(from, to));
             Seen::Parts(whole.map(|(from, to)| text(from, to, false)).collect())
         }
     }
@@ -261,12 +274,12 @@ mod tests {
     fn neighbours_are_one_text() {
         let mut screen = Screen::new();
         screen.text(50, 40, "B", Color::Red);
-        screen.text(58, 40, "-insert", Color::Black);
-        screen.text(122, 40, "point", Color::Black);
-        screen.text(200, 40, "far", Color::Black);
-        screen.text(232, 41, "not level", Color::Black);
+        screen.text(58, 40, "-insert", Color::White);
+        screen.text(122, 40, "point", Color::White);
+        screen.text(200, 40, "far", Color::White);
+        screen.text(232, 41, "not level", Color::White);
         assert_eq!(shown(&screen), ["B-insert point", "far", "not level"]);
-        assert_eq!(screen.texts()[0].letters[1], ('-', Color::Black));
+        assert_eq!(screen.texts()[0].letters[1], ('-', Color::White));
     }
 
     #[test]
@@ -277,8 +290,9 @@ mod tests {
         assert_eq!(shown(&screen), ["one", "three"]);
         screen.line(102, 0, 102, 7, Stroke::thin(Color::Red));
         assert_eq!(shown(&screen), ["one", "three"], "a letter is touched");
-        screen.text(0, 0, "x", Color::White);
-        assert_eq!(shown(&screen), ["x"], "a text in its place makes an end of it");
+        screen.bar(0, 0, 7, 7, Color::Black);
+        screen.text(0, 0, "O", Color::Yellow);
+        assert_eq!(shown(&screen), ["One", "three"], "the first letter has a colour of its own");
         screen.clear(Color::Blue);
         assert!(shown(&screen).is_empty());
     }

@@ -28,7 +28,17 @@ fn size(columns: u16, rows: u16) -> PtySize {
 
 impl Terminal {
     /// Starts a command in a terminal of some size.
-    pub(crate) fn start(columns: u16, rows: u16, mut command: CommandBuilder) -> Terminal {
+    pub(crate) fn start(columns: u16, rows: u16, command: CommandBuilder) -> Terminal {
+        Terminal::start_on(columns, rows, command, None)
+    }
+
+    /// The same on a line of so many bytes a second.
+    pub(crate) fn start_on(
+        columns: u16,
+        rows: u16,
+        mut command: CommandBuilder,
+        speed: Option<usize>,
+    ) -> Terminal {
         let pair = native_pty_system().openpty(size(columns, rows)).unwrap();
         command.env("TERM", "xterm-256color");
         let child = pair.slave.spawn_command(command).unwrap();
@@ -39,11 +49,21 @@ impl Terminal {
         let keyboard = Arc::new(Mutex::new(pair.master.take_writer().unwrap()));
         let (parser, log, answers) = (Arc::clone(&screen), Arc::clone(&output), Arc::clone(&keyboard));
         std::thread::spawn(move || {
-            let mut buffer = [0; 65536];
+            // A slow line brings a hundredth of a second's bytes at a time.
+            let mut buffer = vec![0; speed.map_or(65536, |speed| speed / 100)];
             while let Ok(length @ 1..) = reader.read(&mut buffer) {
+                if let Some(speed) = speed {
+                    std::thread::sleep(Duration::from_secs_f64(length as f64 / speed as f64));
+                }
                 log.lock().unwrap().extend_from_slice(&buffer[..length]);
                 parser.lock().unwrap().process(&buffer[..length]);
-                if buffer[..length].windows(WHERE.len()).any(|window| window == WHERE) {
+                // The question may come in pieces.
+                let asked = {
+                    let log = log.lock().unwrap();
+                    let from = log.len().saturating_sub(length + WHERE.len() - 1);
+                    log[from..].windows(WHERE.len()).any(|window| window == WHERE)
+                };
+                if asked {
                     let _ = answers.lock().unwrap().write_all(b"\x1b[1;1R");
                 }
             }

@@ -3,6 +3,7 @@
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, roman};
 use grafika::launch::Failure;
+use grafika::machine::POINTER_KEYS;
 use grafika::ui::Manual;
 
 /// The day of the pages: that on which what they tell was last looked through.
@@ -52,7 +53,7 @@ const STATUS: [(&str, &str); 4] = [
 ];
 
 /// What the programs ask of their surroundings.
-const ENVIRONMENT: [(&str, &str); 5] = [
+const ENVIRONMENT: [(&str, &str); 7] = [
     (
         "LC_ALL, LC_MESSAGES, LANG",
         "The language, unless the settings or --lang say it: Hungarian for hu, else English.",
@@ -62,6 +63,11 @@ const ENVIRONMENT: [(&str, &str); 5] = [
         "Where a window can be opened; without either, programs show themselves in the terminal.",
     ),
     ("TERM, COLORTERM", "What the terminal can show: its colours and its graphics."),
+    (
+        "LC_ALL, LC_CTYPE, LANG",
+        "The encoding: where it is not UTF-8, a terminal without graphics gets ASCII.",
+    ),
+    ("NO_COLOR", "If set, a terminal without graphics gets no colours."),
     ("XDG_CONFIG_HOME", "Where the settings are, instead of ~/.config."),
     ("XDG_STATE_HOME", "Where unsaved work and best results are kept, instead of ~/.local/state."),
 ];
@@ -90,6 +96,11 @@ fn keys_section(manual: Option<Manual>, page: &mut Roff) {
         page.text([bold(key.1)]);
         page.text([roman(what.1)]);
     }
+    // Arrows are signs that not every typesetter has.
+    let spelt = |keys: &str| keys.replace("↑ ↓ ← →", "arrows");
+    let keys: Vec<(String, &str)> = POINTER_KEYS.iter().map(|key| (spelt(key.keys), key.english)).collect();
+    let keys: Vec<(&str, &str)> = keys.iter().map(|(keys, what)| (keys.as_str(), *what)).collect();
+    terms(page, "KEYS OF THE TERMINAL", &keys);
 }
 
 /// The examples of the help, line by line.

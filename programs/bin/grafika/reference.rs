@@ -31,14 +31,14 @@ pub(crate) struct Manuals {
 
 /// The command line of `grafika` with every program as a command.
 pub(crate) fn whole() -> clap::Command {
-    let mut whole = speaking(unbuilt(), Language::English);
+    let mut whole = unbuilt();
     whole.build();
     whole
 }
 
 /// The same before its parts know of each other.
 pub(crate) fn unbuilt() -> clap::Command {
-    Cli::command().subcommands(ALL.iter().map(Program::command))
+    speaking(Cli::command(), Language::English).subcommands(ALL.iter().map(Program::command))
 }
 
 impl Completions {

@@ -6,7 +6,7 @@ use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{
     DENSITY, GeometryError, MAX_FILTERED, Point, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
-use grafika::launch::{Failure, Overwrite, TableArgs, answer, open_as, progress, say};
+use grafika::launch::{Failure, Overwrite, TableArgs, answer, open_as, progress, say, write_output};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -113,6 +113,7 @@ impl Smooth {
         match to_stdout {
             // The points have standard output to themselves.
             true => say("grafika", &line),
+            false if self.json => write_output(format!("{line}\n").as_bytes())?,
             false => answer(&format!("{line}\n"))?,
         }
         Ok(())

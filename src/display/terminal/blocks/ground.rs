@@ -224,19 +224,32 @@ struct Grid {
 
 /// Finds the grid of the picture: many long lines of one pixel in one colour, in both directions.
 fn grid(pixels: &[u8], runs: &Runs) -> Option<Grid> {
-    // For every colour, on which rows and columns there are long runs.
+    // For every colour, on which rows and columns there are long thin runs. An area is thick everywhere, a line only
+    // where others cross it.
     let (mut rows, mut columns) = (vec![[false; 16]; DOWN], vec![[false; 16]; ACROSS]);
+    let thin = |lengths: &[u16], from: usize, step: usize| {
+        (0..3).filter(|at| usize::from(lengths[from + at * step]) < AREA).count() > 1
+    };
     for (y, row) in rows.iter_mut().enumerate() {
-        for (x, column) in columns.iter_mut().enumerate() {
+        let mut x = 0;
+        while x < ACROSS {
             let at = y * ACROSS + x;
-            let (long, high) =
-                (usize::from(runs.across[at]) >= GRID_LINE, usize::from(runs.down[at]) >= GRID_LINE);
-            let color = usize::from(pixels[at] & 15);
-            // An area is long in both directions wherever it is.
-            if long != high {
-                row[color] |= long;
-                column[color] |= high;
+            let length = usize::from(runs.across[at]).max(1);
+            if length >= GRID_LINE && thin(&runs.down, at + length / 2, 1) {
+                row[usize::from(pixels[at] & 15)] = true;
             }
+            x += length;
+        }
+    }
+    for (x, column) in columns.iter_mut().enumerate() {
+        let mut y = 0;
+        while y < DOWN {
+            let at = y * ACROSS + x;
+            let length = usize::from(runs.down[at]).max(1);
+            if length >= GRID_LINE && thin(&runs.across, at + length / 2 * ACROSS, ACROSS) {
+                column[usize::from(pixels[at] & 15)] = true;
+            }
+            y += length;
         }
     }
     (0..16u8).find_map(|color| {

