@@ -376,7 +376,7 @@ fn the_language_is_changed_in_the_settings_by_mouse_and_kept() {
     desktop.click((308, 114));
     wait("the language of the locale", || (!kept().contains("language") && names() == english).then_some(()));
     // The last row closes the page.
-    desktop.click((130, 334));
+    desktop.click((130, 354));
     wait("the end of the settings", || (names() == before).then_some(()));
 }
 

@@ -47,9 +47,12 @@ const OTHER_OCTANTS: [(u8, char); 26] = [
     (255, '█'),
 ];
 
-/// The wedges from U+1FB3C on: two points of a line, in halves of the width and thirds of the height, and whether the
-/// ink is at the lower right of it instead of the lower left.
-const WEDGES: [((u8, u8), (u8, u8), bool); 22] = [
+/// Two points of a line, in halves of the width and thirds of the height, and whether the ink is at the lower right of it
+/// instead of the lower left.
+type Wedge = ((u8, u8), (u8, u8), bool);
+
+/// The wedges from U+1FB3C on.
+const WEDGES: [Wedge; 22] = [
     ((0, 2), (1, 3), false),
     ((0, 2), (2, 3), false),
     ((0, 1), (1, 3), false),
@@ -142,7 +145,7 @@ static TABLES: LazyLock<Tables> = LazyLock::new(|| {
     }
 });
 
-fn wedge_mask((from, to, right): ((u8, u8), (u8, u8), bool)) -> Mask {
+fn wedge_mask((from, to, right): Wedge) -> Mask {
     let point = |(x, y): (u8, u8)| (f64::from(x) / 2.0, f64::from(y) / 3.0);
     let ((x1, y1), (x2, y2)) = (point(from), point(to));
     let side = |x: f64, y: f64| (x2 - x1) * (y - y1) - (y2 - y1) * (x - x1);

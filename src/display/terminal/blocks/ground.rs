@@ -62,8 +62,8 @@ impl Ground {
             // Rows are counted from below, as their numbers are.
             rows.reverse();
             let cell = (ACROSS / (layout.columns.len() - 1).max(1), DOWN / (layout.rows.len() - 1).max(1));
-            for &y in thinned(&rows, 4 * cell.1).iter() {
-                for &x in thinned(&columns, 12 * cell.0).iter() {
+            for &y in &thinned(&rows, 4 * cell.1) {
+                for &x in &thinned(&columns, 12 * cell.0) {
                     if kinds[y * ACROSS + x] == Kind::Ground {
                         crossings.push((x, y, color));
                     }

@@ -59,24 +59,21 @@ fn uneven(lines: &[i32], height: usize) -> Option<Vec<usize>> {
         return None;
     }
     // From above every line moves down as far as it must, from below up; between the two is the least of both.
+    let last = even.len();
+    let below = |(at, row): (usize, usize)| row.min(height - (last - at));
+    let apart = |rows: &mut Vec<usize>| {
+        for at in 1..last {
+            rows[at] = rows[at].max(rows[at - 1] + 1);
+        }
+    };
     let mut down = even.clone();
-    for at in 1..down.len() {
-        down[at] = down[at].max(down[at - 1] + 1);
-    }
-    let mut up = even;
-    let last = up.len();
-    for at in 0..last {
-        up[at] = up[at].min(height - (last - at));
-    }
+    apart(&mut down);
+    let down: Vec<usize> = down.into_iter().enumerate().map(below).collect();
+    let mut up: Vec<usize> = even.into_iter().enumerate().map(below).collect();
     for at in (1..last).rev() {
         up[at - 1] = up[at - 1].min(up[at].saturating_sub(1));
     }
-    for at in 1..last {
-        up[at] = up[at].max(up[at - 1] + 1);
-    }
-    for at in 0..last {
-        down[at] = down[at].min(height - (last - at));
-    }
+    apart(&mut up);
     let rows: Vec<usize> = down.iter().zip(&up).map(|(down, up)| (down + up) / 2).collect();
     let mut anchors: Vec<(f64, f64)> = vec![(0.0, 0.0)];
     anchors.extend(rows.iter().zip(lines).map(|(&row, &y)| (row as f64 + 0.5, f64::from(y))));
