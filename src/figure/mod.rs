@@ -27,11 +27,13 @@
 //! ```
 
 mod axes;
+mod closed;
 mod error;
 mod layout;
 mod letters;
 mod mesh;
 mod model;
+mod narrow;
 mod number;
 mod pdf;
 mod ph;
