@@ -48,6 +48,7 @@ mod step_curve;
 mod stl;
 mod svg;
 mod table;
+mod tree;
 mod wireframe;
 mod wrap;
 
