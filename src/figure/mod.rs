@@ -36,6 +36,7 @@ mod model;
 mod narrow;
 mod number;
 mod pdf;
+mod pdf_forms;
 mod ph;
 mod picture;
 mod plot;
