@@ -41,6 +41,7 @@ mod ph;
 mod picture;
 mod plot;
 mod raster;
+mod raster_letters;
 mod screen_png;
 mod screen_shapes;
 mod skin;
