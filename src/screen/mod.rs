@@ -53,6 +53,7 @@ const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 pub struct Screen {
     pixels: Box<[u8]>,
     journal: letters::Journal,
+    ellipses: ellipse::Kept,
 }
 
 impl Screen {
@@ -62,6 +63,7 @@ impl Screen {
         Screen {
             pixels: vec![Color::Black.index(); PIXELS].into_boxed_slice(),
             journal: letters::Journal::default(),
+            ellipses: ellipse::Kept::default(),
         }
     }
 
