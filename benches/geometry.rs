@@ -43,6 +43,51 @@ fn sampling(c: &mut Criterion) {
             black_box(&mut out2);
         });
     });
+    group.bench_function("space, one by one, with derivatives", |b| {
+        b.iter(|| {
+            let arc = black_box(&arc3);
+            let mut sum = [0.0; 3];
+            for j in 0..SAMPLES {
+                let u = j as f64 * 1e-3;
+                let all = [arc.eval(u), arc.derivative(u), arc.second_derivative(u)];
+                sum = std::array::from_fn(|d| sum[d] + all[0][d] + all[1][d] + all[2][d]);
+            }
+            sum
+        });
+    });
+    group.bench_function("plane, one by one, with derivatives", |b| {
+        b.iter(|| {
+            let arc = black_box(&arc2);
+            let mut sum = [0.0; 2];
+            for j in 0..SAMPLES {
+                let u = j as f64 * 1e-3;
+                let all = [arc.eval(u), arc.derivative(u), arc.second_derivative(u)];
+                sum = std::array::from_fn(|d| sum[d] + all[0][d] + all[1][d] + all[2][d]);
+            }
+            sum
+        });
+    });
+    let curve2: Box<dyn ParamCurve<2>> = Box::new(Curve::Piecewise(vec![arc2]));
+    group.bench_function("plane, one by one, behind the trait", |b| {
+        b.iter(|| {
+            let curve = black_box(&curve2);
+            for (j, point) in out2.iter_mut().enumerate() {
+                *point = curve.eval(0, j as f64 * 1e-3).unwrap_or_default();
+            }
+            black_box(&mut out2);
+        });
+    });
+    group.bench_function("plane, one by one, with derivatives, behind the trait", |b| {
+        b.iter(|| {
+            let curve = black_box(&curve2);
+            let mut sum = [0.0; 2];
+            for j in 0..SAMPLES {
+                let all = curve.at(0, j as f64 * 1e-3).unwrap_or_default();
+                sum = std::array::from_fn(|d| sum[d] + all[0][d] + all[1][d] + all[2][d]);
+            }
+            sum
+        });
+    });
     let peer = kurbo::CubicBez::new((0.0, 1.0), (30.0, -10.0), (7.0, 60.0), (20.0, 21.0));
     let mut out = vec![kurbo::Point::ZERO; SAMPLES];
     group.bench_function("plane, kurbo", |b| {

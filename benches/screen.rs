@@ -19,6 +19,11 @@ fn drawing(criterion: &mut Criterion) {
         screen.text(207, 208, " Kontrollpontok látszanak ? ", Color::Black);
     });
     bench("disc of radius 10", &|screen| screen.disc(300, 200, 10, Color::DarkGray, Color::White));
+    bench("99 discs of radius 10", &|screen| {
+        for k in 0..99 {
+            screen.disc(20 + 6 * k, 30 + 4 * k, 10, Color::DarkGray, Color::White);
+        }
+    });
     bench("huge circle", &|screen| screen.circle(2_000_000_300, 200, 2_000_000_000, thin));
     bench("polygon", &|screen| {
         screen.polygon(&[(100, 50), (130, 60), (125, 90), (95, 85)], Color::Cyan, thin);

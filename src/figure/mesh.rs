@@ -5,13 +5,14 @@
 //! [`surface_step`](super::surface_step).
 
 use super::FigureError;
+use super::closed;
 use super::number::Number;
 use crate::geometry::{BoundingBox, Grid, Point, cross, dot};
 use std::collections::HashMap;
 use std::fmt::Write;
 
 /// Vertices that leave a plane by no more than this part of the extent lie in it.
-const FLATTEST: f64 = 1e-9;
+pub(super) const FLATTEST: f64 = 1e-9;
 /// How much shorter the other diagonal of a cell has to be to be taken; equal ones give an even pattern.
 const SHORTER: f64 = 1.0 - 1e-9;
 
@@ -104,11 +105,6 @@ impl Mesh {
         self.triangles.retain(|[a, b, c]| a != b && b != c && c != a);
     }
 
-    /// A mesh of these parts.
-    pub(super) fn new(vertices: Vec<Point<3>>, triangles: Vec<[usize; 3]>) -> Mesh {
-        Mesh { vertices, triangles }
-    }
-
     /// A closed mesh whose triangles go round clockwise as seen from outside.
     pub(super) fn is_inside_out(&self) -> bool {
         self.scaled_volume()[0] < 0.0 && self.closed_characteristic().is_some()
@@ -120,53 +116,43 @@ impl Mesh {
             return Err(FigureError::NoArea);
         }
         let merged = merged(grid);
-        let mut triangles: Vec<[usize; 3]> =
-            grid.cells().flat_map(|cell| split(cell, grid.points())).collect();
-        for corner in triangles.iter_mut().flatten() {
-            *corner = merged.get(*corner).copied().unwrap_or(*corner);
-        }
-        triangles.retain(|[a, b, c]| a != b && b != c && c != a);
-        let mut numbers = vec![None; grid.points().len()];
-        for &corner in triangles.iter().flatten() {
-            if let Some(number) = numbers.get_mut(corner) {
-                *number = Some(0);
+        let cells = grid.rows().saturating_sub(1) * grid.columns().saturating_sub(1);
+        let mut triangles = Vec::with_capacity(2 * cells);
+        for triangle in grid.cells().flat_map(|cell| split(cell, grid.points())) {
+            let [a, b, c] = triangle.map(|corner| merged.get(corner).copied().unwrap_or(corner));
+            if a != b && b != c && c != a {
+                triangles.push([a, b, c]);
             }
         }
-        let mut vertices = Vec::new();
-        for (slot, &point) in numbers.iter_mut().zip(grid.points()) {
-            if let Some(number) = slot {
-                *number = vertices.len();
+        // First whether a point is a corner, then which vertex it is.
+        let mut numbers = merged;
+        numbers.fill(0);
+        for &corner in triangles.iter().flatten() {
+            if let Some(number) = numbers.get_mut(corner) {
+                *number = 1;
+            }
+        }
+        let mut vertices = Vec::with_capacity(numbers.iter().sum());
+        for (number, &point) in numbers.iter_mut().zip(grid.points()) {
+            if std::mem::replace(number, vertices.len()) > 0 {
                 vertices.push(point);
             }
         }
         for corner in triangles.iter_mut().flatten() {
-            *corner = numbers.get(*corner).copied().flatten().unwrap_or(0);
+            *corner = numbers.get(*corner).copied().unwrap_or(0);
         }
         let mesh = Mesh { vertices, triangles };
-        if mesh.is_flat() && mesh.closed_characteristic().is_some() {
+        if mesh.is_flat_and_closed() {
             return Err(FigureError::Flat);
         }
         Ok(mesh)
     }
 
-    /// Whether all vertices lie in one plane but for rounding.
-    pub(super) fn is_flat(&self) -> bool {
-        let (Some(&origin), Some(bounds)) = (self.vertices.first(), BoundingBox::of_points(&self.vertices))
-        else {
-            return true;
-        };
-        let extent = bounds.extent();
-        if extent <= 0.0 {
-            return true;
-        }
-        let away = |p: &Point<3>| -> Point<3> { std::array::from_fn(|d| (p[d] - origin[d]) / extent) };
-        let longest = |a: Point<3>, b: Point<3>| if dot(b, b) > dot(a, a) { b } else { a };
-        let leg = self.vertices.iter().map(away).fold([0.0; 3], longest);
-        let normal = self.vertices.iter().map(|p| cross(leg, away(p))).fold([0.0; 3], longest);
-        let length = dot(normal, normal).sqrt();
-        // Points on one line have no normal.
-        let least = bounds.rounding().max(FLATTEST * extent) / extent;
-        length <= least || self.vertices.iter().all(|p| (dot(normal, away(p)) / length).abs() <= least)
+    /// Whether it is a closed mesh in a plane. What takes the least time is asked first.
+    fn is_flat_and_closed(&self) -> bool {
+        closed::may_be_closed(self.vertices.len(), &self.triangles)
+            && is_flat(&self.vertices)
+            && self.closed_characteristic().is_some()
     }
 
     /// The vertices.
@@ -186,31 +172,7 @@ impl Mesh {
     /// and the triangles of every vertex are one fan. `None` if it has a border or is no surface.
     #[must_use]
     pub fn closed_characteristic(&self) -> Option<i64> {
-        // From vertex and one neighbour to the next neighbour around it.
-        let mut next = HashMap::with_capacity(3 * self.triangles.len());
-        let mut fans = vec![(0_usize, 0_usize); self.vertices.len()];
-        for &[a, b, c] in &self.triangles {
-            for (at, from, to) in [(a, b, c), (b, c, a), (c, a, b)] {
-                if next.insert((at, from), to).is_some() {
-                    return None;
-                }
-                let fan = fans.get_mut(at)?;
-                *fan = (fan.0 + 1, from);
-            }
-        }
-        for (at, (count, first)) in fans.into_iter().enumerate() {
-            let (mut steps, mut neighbour) = (1, *next.get(&(at, first))?);
-            while neighbour != first && steps <= count {
-                neighbour = *next.get(&(at, neighbour))?;
-                steps += 1;
-            }
-            if steps != count {
-                return None;
-            }
-        }
-        // Every edge is there twice, once from each of its ends.
-        let [vertices, edges, faces] = [self.vertices.len(), next.len() / 2, self.triangles.len()];
-        Some(vertices as i64 - edges as i64 + faces as i64)
+        closed::characteristic(self.vertices.len(), &self.triangles)
     }
 
     /// The volume that a closed mesh encloses: the sum of the signed tetrahedra over its triangles.
@@ -273,6 +235,25 @@ impl Mesh {
     }
 }
 
+/// Whether all points lie in one plane but for rounding.
+pub(super) fn is_flat(vertices: &[Point<3>]) -> bool {
+    let (Some(&origin), Some(bounds)) = (vertices.first(), BoundingBox::of_points(vertices)) else {
+        return true;
+    };
+    let extent = bounds.extent();
+    if extent <= 0.0 {
+        return true;
+    }
+    let away = |p: &Point<3>| -> Point<3> { std::array::from_fn(|d| (p[d] - origin[d]) / extent) };
+    let longest = |a: Point<3>, b: Point<3>| if dot(b, b) > dot(a, a) { b } else { a };
+    let leg = vertices.iter().map(away).fold([0.0; 3], longest);
+    let normal = vertices.iter().map(|p| cross(leg, away(p))).fold([0.0; 3], longest);
+    let length = dot(normal, normal).sqrt();
+    // Points on one line have no normal.
+    let least = bounds.rounding().max(FLATTEST * extent) / extent;
+    length <= least || vertices.iter().all(|p| (dot(normal, away(p)) / length).abs() <= least)
+}
+
 /// For every point of a grid the one that stands for it.
 fn merged(grid: &Grid) -> Vec<usize> {
     let [rows, columns] = [grid.rows(), grid.columns()];
@@ -324,7 +305,15 @@ pub(super) fn split(cell: [usize; 4], points: &[Point<3>]) -> [[usize; 3]; 2] {
         (0..3).fold(0.0_f64, |sum, d| sum.hypot(a[d] - b[d]))
     };
     let [a, b, c, d] = cell;
-    if distance(b, d) < SHORTER * distance(a, c) { [[c, b, d], [b, a, d]] } else { [[c, b, a], [c, a, d]] }
+    let square = |a: usize, b: usize| {
+        let (a, b) = (at(a), at(b));
+        (0..3).fold(0.0_f64, |sum, d| sum + (a[d] - b[d]) * (a[d] - b[d]))
+    };
+    let (one, other) = (square(b, d), SHORTER * SHORTER * square(a, c));
+    // Squares tell in a fraction of the time, unless they are nearly equal, overflow or vanish.
+    let sure = one.min(other) > 1e-200 && one.max(other) < 1e200 && (one - other).abs() > 1e-12 * other;
+    let shorter = if sure { one < other } else { distance(b, d) < SHORTER * distance(a, c) };
+    if shorter { [[c, b, d], [b, a, d]] } else { [[c, b, a], [c, a, d]] }
 }
 
 #[cfg(test)]

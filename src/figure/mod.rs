@@ -27,17 +27,21 @@
 //! ```
 
 mod axes;
+mod closed;
 mod error;
 mod layout;
 mod letters;
 mod mesh;
 mod model;
+mod narrow;
 mod number;
 mod pdf;
+mod pdf_forms;
 mod ph;
 mod picture;
 mod plot;
 mod raster;
+mod raster_letters;
 mod screen_png;
 mod screen_shapes;
 mod skin;
@@ -46,6 +50,7 @@ mod step_curve;
 mod stl;
 mod svg;
 mod table;
+mod tree;
 mod wireframe;
 mod wrap;
 

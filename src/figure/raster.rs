@@ -5,10 +5,10 @@
 
 use super::FigureError;
 use super::layout::{Layout, RULE};
-use super::letters::{LETTER_WIDTH, Letters};
+use super::letters::Letters;
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style, begins, check_width};
+use super::raster_letters::Glyphs;
 use crate::geometry::{Closure, CubicBezier, Point};
-use fontdue::{Font, FontSettings};
 use std::io::Write;
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Stroke,
@@ -27,9 +27,6 @@ const MANY_DISCS: usize = 10_000;
 /// Arcs and straight lines that are drawn at once.
 const LONG: usize = 4000;
 
-/// Width of the white seam around letters in nominal pixels.
-const SEAM: f64 = 1.5;
-
 impl Figure {
     /// The picture as a PNG of that many pixels' width, 8-bit red, green, blue, with smoothed edges on
     /// white. Everything is enlarged or reduced with the width. The same figure gives the same bytes.
@@ -47,7 +44,7 @@ impl Figure {
         let enlarged = f64::from(width) / f64::from(NOMINAL_WIDTH);
         // At most about ten thousand, so the cast keeps it.
         let height = (layout.height * enlarged).round().max(1.0) as u32;
-        let font = font(&layout.letters)?;
+        let mut glyphs = if layout.letters.is_empty() { None } else { Some(Glyphs::new()?) };
         let discs = self.items.iter().filter(|item| matches!(item, Item::Disc { .. })).count();
         let mut stamps = (discs > MANY_DISCS).then(Stamps::default);
         let mut file = Vec::new();
@@ -60,8 +57,8 @@ impl Figure {
             let mut band = Band::new(&layout, enlarged, [width, rows.min(height - top)], top)?;
             band.draw_rules();
             self.items.iter().for_each(|item| band.draw(item, stamps.as_mut()));
-            if let Some(font) = &font {
-                layout.letters.iter().for_each(|line| band.write(line, font));
+            if let Some(glyphs) = &mut glyphs {
+                layout.letters.iter().for_each(|line| band.write(line, glyphs));
             }
             let rgb: Vec<u8> =
                 band.pixmap.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
@@ -180,7 +177,7 @@ impl<'a> Band<'a> {
     }
 
     /// Draws a line of text with a white halo, so that lines do not run through it.
-    fn write(&mut self, line: &Letters, font: &Font) {
+    fn write(&mut self, line: &Letters, glyphs: &mut Glyphs) {
         let [_, y] = line.at.map(|value| value * self.enlarged);
         // No letter rises or descends by twice the font size.
         let reach = 2.0 * line.size * self.enlarged;
@@ -188,35 +185,12 @@ impl<'a> Band<'a> {
         if y + reach < top || y - reach > bottom {
             return;
         }
-        let glyphs = line_glyphs(font, line, self.enlarged);
-        let seam = (SEAM * self.enlarged).round() as usize;
-        glyphs.iter().for_each(|glyph| self.put(&glyph.seam(seam), [255; 3]));
-        glyphs.iter().for_each(|glyph| self.put(glyph, line.ink));
-    }
-
-    /// Blends a glyph in a colour into the band.
-    fn put(&mut self, glyph: &Glyph, ink: [u8; 3]) {
-        let (width, rows) = (self.pixmap.width() as usize, self.pixmap.height() as usize);
-        let data = self.pixmap.data_mut();
-        for (row, values) in glyph.coverage.chunks_exact(glyph.width.max(1)).enumerate() {
-            let y = glyph.top.saturating_add(row as i64).saturating_sub(i64::from(self.top));
-            let Ok(y) = usize::try_from(y) else { continue };
-            for (column, &coverage) in values.iter().enumerate() {
-                let Ok(x) = usize::try_from(glyph.left.saturating_add(column as i64)) else { continue };
-                if x >= width || y >= rows {
-                    continue;
-                }
-                let at = (y * width + x) * 4;
-                for (channel, ink) in data.iter_mut().skip(at).zip(ink) {
-                    *channel = mix(*channel, ink, coverage);
-                }
-            }
-        }
+        glyphs.write(&mut self.pixmap, self.top, line, self.enlarged);
     }
 }
 
 /// Blends a channel of one colour over another.
-fn mix(below: u8, above: u8, coverage: u8) -> u8 {
+pub(super) fn mix(below: u8, above: u8, coverage: u8) -> u8 {
     let (below, above, coverage) = (u32::from(below), u32::from(above), u32::from(coverage));
     // An average of two bytes fits into a byte.
     ((below * (255 - coverage) + above * coverage + 127) / 255) as u8
@@ -333,72 +307,4 @@ fn paint([red, green, blue]: [u8; 3]) -> Paint<'static> {
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color_rgba8(red, green, blue, 255);
     paint
-}
-
-/// A letter's coverage with its place in the picture.
-struct Glyph {
-    left: i64,
-    top: i64,
-    width: usize,
-    coverage: Vec<u8>,
-}
-
-/// The font, if there is anything to write.
-fn font(letters: &[Letters]) -> Result<Option<Font>, FigureError> {
-    if letters.is_empty() {
-        return Ok(None);
-    }
-    let font = Font::from_bytes(FONT, FontSettings::default());
-    font.map(Some).map_err(|message| FigureError::Encoding(message.to_string()))
-}
-
-/// The glyphs of a line that lie in the picture.
-fn line_glyphs(font: &Font, line: &Letters, enlarged: f64) -> Vec<Glyph> {
-    let size = line.size * enlarged;
-    let advance = LETTER_WIDTH * size;
-    let [x, y] = line.at.map(|value| value * enlarged);
-    let rightmost = f64::from(NOMINAL_WIDTH) * enlarged;
-    let pens = line.text.chars().enumerate().map(|(index, ch)| (x + index as f64 * advance, ch));
-    let shown = pens.skip_while(|(pen, _)| pen + size < 0.0).take_while(|(pen, _)| *pen < rightmost);
-    let glyph = |(pen, ch): (f64, char)| {
-        let (metrics, coverage) = font.rasterize(ch, size as f32);
-        let left = pen.round() as i64 + i64::from(metrics.xmin);
-        let top = y.round() as i64 - i64::from(metrics.ymin) - metrics.height as i64;
-        Glyph { left, top, width: metrics.width, coverage }
-    };
-    shown.map(glyph).collect()
-}
-
-impl Glyph {
-    /// The glyph dilated by `reach` pixels.
-    fn seam(&self, reach: usize) -> Glyph {
-        let rows: Vec<&[u8]> = self.coverage.chunks_exact(self.width.max(1)).collect();
-        let widened: Vec<Vec<u8>> = rows.iter().map(|row| grown(row, reach)).collect();
-        let width = self.width + 2 * reach;
-        let columns: Vec<Vec<u8>> = (0..width)
-            .map(|x| {
-                let column: Vec<u8> = widened.iter().filter_map(|row| row.get(x).copied()).collect();
-                grown(&column, reach)
-            })
-            .collect();
-        let height = rows.len() + 2 * reach;
-        let coverage =
-            (0..height).flat_map(|y| columns.iter().filter_map(move |column| column.get(y).copied()));
-        let reached = i64::try_from(reach).unwrap_or(i64::MAX);
-        Glyph {
-            left: self.left.saturating_sub(reached),
-            top: self.top.saturating_sub(reached),
-            width,
-            coverage: coverage.collect(),
-        }
-    }
-}
-
-/// The running maximum within a reach; the result is longer by the reach on both sides.
-fn grown(values: &[u8], reach: usize) -> Vec<u8> {
-    let largest = |at: usize| {
-        let near = values.get(at.saturating_sub(2 * reach)..values.len().min(at + 1));
-        near.and_then(|near| near.iter().max()).copied().unwrap_or(0)
-    };
-    (0..values.len() + 2 * reach).map(largest).collect()
 }

@@ -4,14 +4,10 @@
 //! one are one vertex then, and triangles that lose their area are taken out so that what was closed stays closed.
 
 use super::FigureError;
-use super::mesh::Mesh;
-use crate::geometry::{Point, cross, norm, triangle_width};
-use std::collections::{BTreeMap, BinaryHeap, HashMap};
-
-/// A triangle narrower than this part of its longest side has no area.
-const NARROWEST: f64 = 1e-12;
-/// Steps of taking triangles out, for each triangle; far more than are ever needed.
-const PATIENCE: usize = 64;
+use super::mesh::{Mesh, is_flat};
+use super::narrow::take_out;
+use crate::geometry::{Point, cross, dot};
+use std::borrow::Cow;
 
 /// A mesh as binary STL.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,33 +43,36 @@ impl Mesh {
     /// leave nothing of the surface, [`FigureError::TooManyVertices`] for more triangles than 32 bits count.
     pub fn to_stl(&self) -> Result<Stl, FigureError> {
         let singles = Singles::new(self.vertices())?;
-        let mut net = Net::new(&singles.points, singles.triangles(self.triangles()));
-        net.take_out_narrow();
-        net.take_out_opposite();
-        let triangles: Vec<[usize; 3]> = net.triangles.into_iter().flatten().collect();
-        let left = Mesh::new(singles.points.clone(), triangles);
+        let triangles = take_out(&singles.points, singles.triangles(self.triangles()));
         // A closed surface that has become flat encloses nothing; an open one may have been flat before.
-        if left.triangles().is_empty() || (self.closed_characteristic().is_some() && left.is_flat()) {
+        if triangles.is_empty() || (self.closed_characteristic().is_some() && is_flat(&singles.points)) {
             return Err(FigureError::Confused);
         }
-        Ok(Stl { bytes: left.written()?, confused: singles.confused, vertices: self.vertices().len() })
+        let bytes = written(&singles.points, &triangles)?;
+        Ok(Stl { bytes, confused: singles.confused, vertices: self.vertices().len() })
     }
+}
 
-    /// The bytes of a mesh whose coordinates are singles.
-    fn written(&self) -> Result<Vec<u8>, FigureError> {
-        let count = u32::try_from(self.triangles().len()).map_err(|_| FigureError::TooManyVertices)?;
-        let mut bytes = vec![0; 80];
-        // The header is free, but must not begin with "solid", which means the textual form.
-        bytes.iter_mut().zip(*b"grafika").for_each(|(to, from)| *to = from);
-        bytes.extend(count.to_le_bytes());
-        for triangle in self.triangles() {
-            let corners = triangle.map(|n| self.vertices().get(n).copied().unwrap_or([0.0; 3]));
-            let numbers = [normal(corners)].into_iter().chain(corners).flatten();
-            bytes.extend(numbers.flat_map(|x| (x as f32).to_le_bytes()));
-            bytes.extend([0; 2]);
+/// The bytes of a mesh whose coordinates are singles.
+fn written(points: &[Point<3>], triangles: &[[usize; 3]]) -> Result<Vec<u8>, FigureError> {
+    let count = u32::try_from(triangles.len()).map_err(|_| FigureError::TooManyVertices)?;
+    let mut bytes = Vec::with_capacity(84 + 50 * triangles.len());
+    // The header is free, but must not begin with "solid", which means the textual form.
+    bytes.extend(b"grafika");
+    bytes.resize(80, 0);
+    bytes.extend(count.to_le_bytes());
+    for triangle in triangles {
+        let corners = triangle.map(|n| points.get(n).copied().unwrap_or([0.0; 3]));
+        let mut facet = [0; 50];
+        let normal = single_normal(corners);
+        let [a, b, c] = corners.map(|corner| corner.map(|x| x as f32));
+        let (numbers, _) = facet.as_chunks_mut::<4>();
+        for (to, x) in numbers.iter_mut().zip([normal, a, b, c].as_flattened()) {
+            *to = x.to_le_bytes();
         }
-        Ok(bytes)
+        bytes.extend(facet);
     }
+    Ok(bytes)
 }
 
 /// The vertices of a mesh in single precision.
@@ -88,172 +87,61 @@ struct Singles {
 
 impl Singles {
     fn new(vertices: &[Point<3>]) -> Result<Self, FigureError> {
-        let mut known: HashMap<[u64; 3], usize> = HashMap::with_capacity(vertices.len());
-        let mut singles =
-            Self { points: Vec::new(), numbers: Vec::with_capacity(vertices.len()), confused: 0 };
-        // Of every point: the first vertex there, how many there are, and whether they differ.
-        let mut fallen: Vec<(Point<3>, usize, bool)> = Vec::new();
-        for &vertex in vertices {
-            let mut point = [0.0; 3];
-            for (to, value) in point.iter_mut().zip(vertex) {
+        // Points that are the same stand beside each other once sorted by their bits, the first one first. Numbers of
+        // vertices beyond 32 bits are too many for any file.
+        u32::try_from(vertices.len()).map_err(|_| FigureError::TooManyVertices)?;
+        let mut sorted = Vec::with_capacity(vertices.len());
+        for (index, vertex) in (0_u32..).zip(vertices) {
+            let mut key = 0;
+            for &value in vertex {
                 // Zero has one sign, so that it is one number.
-                *to = f64::from(value as f32) + 0.0;
-                if !to.is_finite() {
+                let single = value as f32 + 0.0;
+                if !single.is_finite() {
                     return Err(FigureError::Single { value });
                 }
+                key = key << 32 | u128::from(single.to_bits());
             }
-            let number = *known.entry(point.map(f64::to_bits)).or_insert(fallen.len());
-            match fallen.get_mut(number) {
-                Some((first, count, differ)) => {
-                    *count += 1;
-                    *differ |= *first != vertex;
-                }
-                None => {
-                    singles.points.push(point);
-                    fallen.push((vertex, 1, false));
-                }
-            }
-            singles.numbers.push(number);
+            sorted.push(key << 32 | u128::from(index));
         }
-        singles.confused = fallen.iter().filter(|(.., differ)| *differ).map(|(_, count, _)| count).sum();
-        Ok(singles)
+        sorted.sort_unstable();
+        let mut numbers = vec![0; vertices.len()];
+        let mut confused = 0;
+        for same in sorted.chunk_by(|one, other| one >> 32 == other >> 32) {
+            // The lower bits are the number of the vertex.
+            let indices = || same.iter().map(|key| (key & 0xFFFF_FFFF) as usize);
+            let first = indices().next().unwrap_or(0);
+            for index in indices() {
+                numbers[index] = first;
+            }
+            let differ = indices().any(|index| vertices.get(index) != vertices.get(first));
+            confused += if differ { same.len() } else { 0 };
+        }
+        drop(sorted);
+        // From the first vertex there to the number of the point, in the order of the vertices.
+        let mut points = Vec::with_capacity(vertices.len());
+        for index in 0..numbers.len() {
+            let first = numbers[index];
+            numbers[index] = if first == index {
+                points.push(vertices[index].map(|value| f64::from(value as f32) + 0.0));
+                points.len() - 1
+            } else {
+                // An earlier one, so it is a number already.
+                numbers[first]
+            };
+        }
+        Ok(Self { points, numbers, confused })
     }
 
     /// Triangles between these points; those without three different corners are left out, and what was closed
-    /// stays closed.
-    fn triangles(&self, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
+    /// stays closed. The same triangles if no points have become one.
+    fn triangles<'a>(&self, triangles: &'a [[usize; 3]]) -> Cow<'a, [[usize; 3]]> {
+        let different = |[a, b, c]: &[usize; 3]| a != b && b != c && c != a;
+        if self.points.len() == self.numbers.len() && triangles.iter().all(different) {
+            return Cow::Borrowed(triangles);
+        }
         let number = |corner: usize| self.numbers.get(corner).copied().unwrap_or(0);
-        let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|corners| corners.map(number)).collect();
-        triangles.retain(|[a, b, c]| a != b && b != c && c != a);
-        triangles
+        triangles.iter().map(|corners| corners.map(number)).filter(different).collect()
     }
-}
-
-/// Triangles with what lies beside them.
-struct Net<'a> {
-    points: &'a [Point<3>],
-    triangles: Vec<Option<[usize; 3]>>,
-    /// The triangles that run from one point to another.
-    along: HashMap<[usize; 2], Vec<usize>>,
-}
-
-/// A triangle without area that waits to be taken out; that with the longest side comes first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Narrow {
-    /// The bits of the length: positive doubles and their bits have the same order.
-    longest: u64,
-    triangle: usize,
-}
-
-impl<'a> Net<'a> {
-    fn new(points: &'a [Point<3>], triangles: Vec<[usize; 3]>) -> Self {
-        let mut net =
-            Net { points, triangles: Vec::new(), along: HashMap::with_capacity(3 * triangles.len()) };
-        for (number, corners) in triangles.into_iter().enumerate() {
-            net.triangles.push(None);
-            net.put(number, Some(corners));
-        }
-        net
-    }
-
-    fn point(&self, number: usize) -> Point<3> {
-        self.points.get(number).copied().unwrap_or([0.0; 3])
-    }
-
-    fn side(&self, [from, to]: [usize; 2]) -> f64 {
-        let (from, to) = (self.point(from), self.point(to));
-        norm::<3>(std::array::from_fn(|d| to[d] - from[d]))
-    }
-
-    /// Puts another triangle, or none, in the place of one.
-    fn put(&mut self, number: usize, corners: Option<[usize; 3]>) {
-        let Some(slot) = self.triangles.get_mut(number) else { return };
-        for side in std::mem::replace(slot, corners).into_iter().flat_map(sides) {
-            if let Some(beside) = self.along.get_mut(&side) {
-                beside.retain(|&other| other != number);
-            }
-        }
-        for side in corners.into_iter().flat_map(sides) {
-            self.along.entry(side).or_default().push(number);
-        }
-    }
-
-    /// A triangle without area, turned so that its longest side runs from its last corner to its first.
-    fn narrow(&self, number: usize) -> Option<([usize; 3], f64)> {
-        let corners = self.triangles.get(number).copied().flatten()?;
-        let turned = |[a, b, c]: [usize; 3]| ([a, b, c], self.side([c, a]));
-        let [a, b, c] = corners;
-        let all = [[a, b, c], [b, c, a], [c, a, b]].map(turned);
-        let (corners, longest) = all.into_iter().max_by(|(_, a), (_, b)| a.total_cmp(b))?;
-        let width = triangle_width(corners.map(|corner| self.point(corner)));
-        (width <= NARROWEST * longest).then_some((corners, longest))
-    }
-
-    /// Takes out the triangles whose corners lie on a line. One beside a border goes; else the side between it
-    /// and its neighbour over the longest side is turned: the neighbour is cut where the third corner lies on
-    /// its border, and nothing opens. The longest first, so that sides only become shorter.
-    fn take_out_narrow(&mut self) {
-        let waiting = |net: &Self, triangle: usize| {
-            net.narrow(triangle).map(|(_, longest)| Narrow { longest: longest.to_bits(), triangle })
-        };
-        let mut heap: BinaryHeap<Narrow> =
-            (0..self.triangles.len()).filter_map(|number| waiting(self, number)).collect();
-        let mut patience = PATIENCE.saturating_mul(self.triangles.len());
-        while let (Some(Narrow { triangle, .. }), true) = (heap.pop(), patience > 0) {
-            patience -= 1;
-            let Some(([a, b, c], _)) = self.narrow(triangle) else { continue };
-            let Some((neighbour, d)) = self.beside([a, c], b) else {
-                self.put(triangle, None);
-                continue;
-            };
-            if b == d {
-                // Two triangles back to back.
-                self.put(triangle, None);
-                self.put(neighbour, None);
-                continue;
-            }
-            self.put(triangle, Some([b, c, d]));
-            self.put(neighbour, Some([a, b, d]));
-            heap.extend([triangle, neighbour].into_iter().filter_map(|number| waiting(self, number)));
-        }
-    }
-
-    /// A triangle that runs along a side, with its third corner: the one back to back, if there is one.
-    fn beside(&self, side: [usize; 2], back: usize) -> Option<(usize, usize)> {
-        let third = |&number: &usize| {
-            let corners = self.triangles.get(number).copied().flatten()?;
-            Some((number, corners.into_iter().find(|corner| !side.contains(corner))?))
-        };
-        let all = || self.along.get(&side).into_iter().flatten().filter_map(third);
-        all().find(|&(_, corner)| corner == back).or_else(|| all().next())
-    }
-
-    /// Takes out pairs of triangles that lie back to back.
-    fn take_out_opposite(&mut self) {
-        let mut facing: BTreeMap<[usize; 3], Vec<usize>> = BTreeMap::new();
-        for number in 0..self.triangles.len() {
-            let Some([a, b, c]) = self.triangles.get(number).copied().flatten() else { continue };
-            let first = |[a, b, c]: [usize; 3]| {
-                if a < b && a < c {
-                    [a, b, c]
-                } else if b < c {
-                    [b, c, a]
-                } else {
-                    [c, a, b]
-                }
-            };
-            if let Some(other) = facing.get_mut(&first([a, c, b])).and_then(Vec::pop) {
-                self.put(number, None);
-                self.put(other, None);
-            } else {
-                facing.entry(first([a, b, c])).or_default().push(number);
-            }
-        }
-    }
-}
-
-fn sides([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
 }
 
 /// The unit normal of a triangle; zero where it has none.
@@ -265,4 +153,75 @@ pub(super) fn normal([a, b, c]: [Point<3>; 3]) -> Point<3> {
     };
     // Scaled first: the product of tiny legs would vanish.
     unit(cross(unit(leg(b)), unit(leg(c))))
+}
+
+/// The same in single precision.
+fn single_normal([a, b, c]: [Point<3>; 3]) -> [f32; 3] {
+    let leg = |p: Point<3>| -> Point<3> { std::array::from_fn(|d| p[d] - a[d]) };
+    let (u, v) = (leg(b), leg(c));
+    let product = cross(u, v);
+    let (long, area) = (dot(u, u) * dot(v, v), dot(product, product));
+    // Where nothing overflows or vanishes, the product's own rounding is some last bits by the sine of the angle. If
+    // neither that nor the other way's can change the single, it is the one that the careful way gives.
+    if long < 1e200 && area > 1e-200 {
+        let (length, slack) = (area.sqrt(), 1e-14 * (long / area).sqrt());
+        let unit = product.map(|x| x / length);
+        if unit.iter().all(|x| (x - slack) as f32 == (x + slack) as f32 && x.abs() > slack) {
+            return unit.map(|x| x as f32);
+        }
+    }
+    normal([a, b, c]).map(|x| x as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::collections::HashMap;
+
+    /// Numbers of points by a map of their bits, and how many vertices have become one with others.
+    fn by_bits(vertices: &[Point<3>]) -> (Vec<Point<3>>, Vec<usize>, usize) {
+        let (mut points, mut all): (Vec<Point<3>>, Vec<Vec<Point<3>>>) = (Vec::new(), Vec::new());
+        let mut known = HashMap::new();
+        let mut number = |vertex: &Point<3>| {
+            let point = vertex.map(|x| f64::from(x as f32) + 0.0);
+            let number = *known.entry(point.map(f64::to_bits)).or_insert(points.len());
+            if number == points.len() {
+                points.push(point);
+                all.push(Vec::new());
+            }
+            all[number].push(*vertex);
+            number
+        };
+        let numbers = vertices.iter().map(&mut number).collect();
+        let confused = all.iter().filter(|same| same.iter().any(|it| *it != same[0])).map(Vec::len).sum();
+        (points, numbers, confused)
+    }
+
+    proptest! {
+        #[test]
+        fn singles_are_numbered_in_the_order_of_the_vertices(
+            vertices in prop::collection::vec(prop::array::uniform3(prop::sample::select(vec![0.0, -0.0, 1.0, 1.0 + 1e-12, -1.0, 0.1])), 0..40),
+        ) {
+            let singles = Singles::new(&vertices).unwrap();
+            prop_assert_eq!((singles.points, singles.numbers, singles.confused), by_bits(&vertices));
+        }
+
+        /// Also of triangles that are nearly lines, flat in a coordinate, tiny or huge.
+        #[test]
+        fn normals_are_those_of_the_careful_way(
+            corners in prop::array::uniform3(prop::array::uniform3(-9.0_f32..9.0)),
+            flat in 0_usize..4, near in prop::sample::select(vec![1.0_f32, 1e-3, 1e-6]), size in prop::sample::select(vec![1.0, 1e-40, 1e30]),
+        ) {
+            let mut corners = corners.map(|corner| corner.map(|x| f64::from(x) * size));
+            for d in 0..3 {
+                corners[2][d] = corners[1][d] + f64::from(near) * (corners[2][d] - corners[1][d]);
+            }
+            if flat < 3 {
+                corners.iter_mut().for_each(|corner| corner[flat] = 0.0);
+            }
+            let bits = |normal: [f32; 3]| normal.map(f32::to_bits);
+            prop_assert_eq!(bits(single_normal(corners)), bits(normal(corners).map(|x| x as f32)));
+        }
+    }
 }

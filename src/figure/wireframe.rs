@@ -4,15 +4,14 @@
 //! enlarged at will. The triangles are flat, so near the silhouette of a coarse grid visibility is that of the
 //! triangles, not that of the curved surface.
 
-use super::mesh::split;
-use crate::geometry::{Grid, Point, View};
+use super::mesh::{FLATTEST, split};
+use super::tree::{Place, Tree, along_squares};
+use crate::geometry::{BoundingBox, Grid, Point, View};
 
 /// A triangle hides an edge that is behind it by at least this depth, relative to the size of the picture.
 const BEHIND: f64 = 1e-7;
 /// Pieces shorter than this fraction of the picture are left out.
 const SHORT: f64 = 1e-5;
-/// Largest number of bins along a side of the picture.
-const MOST_BINS: usize = 512;
 
 /// The visible parts of the lines of grids, which hide each other, as polylines in the plane of the view. Of every grid
 /// lines of constant `u` come first, then those of constant `v`; a closing line is not drawn twice.
@@ -29,7 +28,7 @@ const MOST_BINS: usize = 512;
 #[must_use]
 pub fn visible_lines(grids: &[Grid], view: &View) -> Vec<Vec<Point<2>>> {
     let places: Vec<Point<2>> = grids.iter().flat_map(Grid::points).map(|&point| view.place(point)).collect();
-    let Some(mut scene) = Scene::new(grids, view) else { return Vec::new() };
+    let Some(scene) = Scene::new(grids, view) else { return Vec::new() };
     let place = |index: usize| places.get(index).copied().unwrap_or([0.0; 2]);
     let mut lines = Vec::new();
     for line in numbered(grids).flat_map(|(first, grid)| grid_lines(grid, first)) {
@@ -80,18 +79,11 @@ fn grid_lines(grid: &Grid, first: usize) -> Vec<Vec<usize>> {
     along_v.chain(along_u).collect()
 }
 
-/// A point in the picture, coordinates from -1 to 1, with its depth.
-type Place = [f64; 3];
-
-/// The projected triangles of a grid, sorted into bins.
+/// The projected triangles of grids, coordinates from -1 to 1, with boxes around them.
 struct Scene {
     places: Vec<Place>,
     triangles: Vec<[usize; 3]>,
-    bins: Vec<Vec<u32>>,
-    side: usize,
-    /// For each triangle, the last edge tested against it, so that it is tested once per edge.
-    looked: Vec<u32>,
-    edges: u32,
+    tree: Tree,
 }
 
 impl Scene {
@@ -115,23 +107,24 @@ impl Scene {
         for place in &mut places {
             *place = std::array::from_fn(|d| (place[d] - (low[d] / 2.0 + high[d] / 2.0)) / half);
         }
-        let triangles: Vec<[usize; 3]> = numbered(grids)
-            .flat_map(|(first, grid)| {
-                grid.cells().flat_map(move |cell| split(cell, grid.points()).map(|it| it.map(|n| first + n)))
-            })
-            .collect();
-        let side = (((triangles.len() / 2) as f64).sqrt() as usize).clamp(1, MOST_BINS);
-        let looked = vec![0; triangles.len()];
-        let mut scene =
-            Self { places, triangles, bins: vec![Vec::new(); side * side], side, looked, edges: 0 };
-        for (number, corners) in (0_u32..).zip(&scene.triangles) {
-            for bin in bins(side, &corners.map(|index| scene.place(index))) {
-                if let Some(bin) = scene.bins.get_mut(bin) {
-                    bin.push(number);
-                }
-            }
+        let place = |index: usize| places.get(index).copied().unwrap_or([0.0; 3]);
+        let bounds = BoundingBox::around(grids.iter().flat_map(Grid::points).copied())?;
+        let narrowest = (bounds.rounding() / half).max(FLATTEST);
+        let mut triangles: Vec<[usize; 3]> = Vec::new();
+        for (first, grid) in numbered(grids) {
+            let columns = grid.columns().saturating_sub(1).max(1);
+            let mut cells: Vec<(u64, [usize; 4])> = (0..)
+                .zip(grid.cells())
+                .map(|(index, cell)| (along_squares([index / columns, index % columns]), cell))
+                .collect();
+            cells.sort_unstable_by_key(|(along, _)| *along);
+            let both = cells.iter().flat_map(|(_, cell)| split(*cell, grid.points()));
+            let numbers = both.map(|corners| corners.map(|n| first + n));
+            // What is seen edge-on hides nothing; but for rounding, it would hide anything.
+            triangles.extend(numbers.filter(|corners| width(corners.map(place)) > narrowest));
         }
-        Some(scene)
+        let tree = Tree::new(triangles.iter().map(|corners| corners.map(place)));
+        Some(Self { places, triangles, tree })
     }
 
     fn place(&self, index: usize) -> Place {
@@ -139,37 +132,26 @@ impl Scene {
     }
 
     /// The parts of an edge that no triangle hides, as parameters from 0 to 1.
-    fn visible(&mut self, from: usize, to: usize) -> Vec<[f64; 2]> {
+    fn visible(&self, from: usize, to: usize) -> Vec<[f64; 2]> {
         let ends = [self.place(from), self.place(to)];
         let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
         let mut hidden = Vec::new();
-        self.edges = self.edges.wrapping_add(1);
-        for bin in bins(self.side, &ends) {
-            for &number in self.bins.get(bin).into_iter().flatten() {
-                let number = number as usize;
-                let (Some(corners), Some(looked)) = (self.triangles.get(number), self.looked.get_mut(number))
-                else {
-                    continue;
-                };
-                if std::mem::replace(looked, self.edges) != self.edges {
-                    hidden.extend(behind(ends, corners.map(|index| self.places[index])));
-                }
-            }
-        }
+        // Half of the depth that counts, so that rounding leaves nothing out.
+        self.tree.visit(ends, BEHIND / 2.0, |number| {
+            let Some(corners) = self.triangles.get(number) else { return false };
+            let part = behind(ends, corners.map(|index| self.place(index)));
+            hidden.extend(part);
+            part == Some([0.0, 1.0])
+        });
         rest(hidden, if length > 0.0 { SHORT / length } else { 0.0 })
     }
 }
 
-/// The bins that the bounding box of some points touches.
-fn bins(side: usize, places: &[Place]) -> impl Iterator<Item = usize> + use<> {
-    // Casts out of range saturate, as wanted.
-    let bin = |x: f64| (((x + 1.0) / 2.0 * side as f64) as usize).min(side - 1);
-    let range = |d: usize| {
-        let values = || places.iter().map(|place| place[d]);
-        bin(values().fold(f64::INFINITY, f64::min))..=bin(values().fold(f64::NEG_INFINITY, f64::max))
-    };
-    let (columns, rows) = (range(0), range(1));
-    rows.flat_map(move |row| columns.clone().map(move |column| row * side + column))
+/// The least width of a triangle in the picture: the height over its longest side.
+fn width([a, b, c]: [Place; 3]) -> f64 {
+    let side = |p: Place, q: Place| (p[0] - q[0]).powi(2) + (p[1] - q[1]).powi(2);
+    let longest = side(a, b).max(side(b, c)).max(side(c, a)).sqrt();
+    if longest > 0.0 { side_of(a, b, c).abs() / longest } else { 0.0 }
 }
 
 /// The part of an edge that is hidden by a triangle.
@@ -306,7 +288,7 @@ mod tests {
             let grid = Grid::from_fn([6, 6], [false; 2], |k, l| [k as f64, l as f64, heights[6 * k + l]]);
             let view = View::from_direction(direction);
             let way = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| view.depth(axis));
-            let mut scene = Scene::new(std::slice::from_ref(&grid), &view).unwrap();
+            let scene = Scene::new(std::slice::from_ref(&grid), &view).unwrap();
             for line in grid_lines(&grid, 0) {
                 for (&from, &to) in line.iter().zip(&line[1..]) {
                     let pieces = scene.visible(from, to);

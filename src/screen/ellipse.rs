@@ -63,6 +63,56 @@ impl Quarter {
     }
 }
 
+/// Ellipses with larger radii than this, in pixels, are not kept.
+const KEPT_RADIUS: i32 = 64;
+/// How many different ellipses a screen keeps.
+const KEPT: usize = 8;
+
+/// The pixels of whole ellipses that were drawn lately: pictures have many equal discs. They belong to the screen, but
+/// say nothing of its picture.
+#[derive(Clone, Default)]
+pub(super) struct Kept(Vec<Whole>);
+
+/// A whole ellipse around (0, 0).
+#[derive(Clone)]
+struct Whole {
+    radii: (i32, i32),
+    /// The pixels of a quarter.
+    outline: Vec<(i32, i32)>,
+    /// The outermost pixel in the rows at distance 0, 1, ... from the centre.
+    reaches: Vec<i32>,
+}
+
+impl Whole {
+    fn new(radii: (i32, i32)) -> Whole {
+        let quarter = Quarter::new(radii.0, radii.1);
+        // All of them are within the small radii.
+        let mut outline: Vec<(i32, i32)> =
+            (0..=quarter.steps).map(|step| quarter.pixel(step)).map(|(x, y)| (x as i32, y as i32)).collect();
+        outline.dedup();
+        let reaches = (0..=quarter.ry as i64).map(|y| quarter.reach(y) as i32).collect();
+        Whole { radii, outline, reaches }
+    }
+}
+
+impl Kept {
+    /// A small ellipse, the one kept or a new one. `None` for a large one, which is not worth its memory.
+    fn whole(&mut self, radii: (i32, i32)) -> Option<&Whole> {
+        if !(1..=KEPT_RADIUS).contains(&radii.0) || !(1..=KEPT_RADIUS).contains(&radii.1) {
+            return None;
+        }
+        let known = self.0.iter().position(|whole| whole.radii == radii);
+        let index = known.unwrap_or_else(|| {
+            if self.0.len() >= KEPT {
+                self.0.remove(0);
+            }
+            self.0.push(Whole::new(radii));
+            self.0.len() - 1
+        });
+        self.0.get(index)
+    }
+}
+
 /// The angles of an arc in radians: where it begins, and how far it goes counter-clockwise.
 #[derive(Clone, Copy)]
 struct Sweep {
@@ -143,6 +193,19 @@ impl Screen {
         if quarter.is_dot() {
             return self.set(x, y, outline);
         }
+        // The centre of what is kept may lie anywhere near the screen, so that sums do not overflow.
+        if (-WIDTH..2 * WIDTH).contains(&x) && (-WIDTH..2 * WIDTH).contains(&y) {
+            let mut kept = std::mem::take(&mut self.ellipses);
+            let whole = kept.whole((rx, ry));
+            if let Some(whole) = whole {
+                self.filled((x, y), whole, fill, outline);
+            }
+            let done = whole.is_some();
+            self.ellipses = kept;
+            if done {
+                return;
+            }
+        }
         let height = quarter.ry as i32;
         for row in y.saturating_sub(height).max(0)..=y.saturating_add(height).min(HEIGHT - 1) {
             let distance = (i64::from(row) - i64::from(y)).abs();
@@ -150,6 +213,21 @@ impl Screen {
             self.span(x.saturating_sub(reach), x.saturating_add(reach), row, fill);
         }
         self.outline(x, y, &quarter, Sweep::FULL, outline);
+    }
+
+    /// Draws a small ellipse whose pixels are known.
+    fn filled(&mut self, (x, y): (i32, i32), whole: &Whole, fill: Color, outline: Color) {
+        for (distance, &reach) in (0..).zip(&whole.reaches) {
+            self.span(x - reach, x + reach, y - distance, fill);
+            self.span(x - reach, x + reach, y + distance, fill);
+        }
+        for &(right, down) in &whole.outline {
+            for (px, py) in
+                [(x + right, y - down), (x - right, y - down), (x - right, y + down), (x + right, y + down)]
+            {
+                self.set(px, py, outline);
+            }
+        }
     }
 
     /// A thick ellipse is three thin ones with radii one pixel apart.
@@ -288,6 +366,29 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(48))]
+        /// Small discs, whose pixels are kept, have those that are found row by row and step by step.
+        #[test]
+        fn kept_discs_have_the_pixels_of_new_ones(
+            discs in prop::collection::vec((-80..720, -80..560, -1..80, -1..80), 1..12),
+        ) {
+            let (mut kept, mut anew) = (Screen::new(), Screen::new());
+            for (x, y, rx, ry) in discs {
+                kept.ellipse_filled(x, y, rx, ry, Color::Red, Color::White);
+                let quarter = Quarter::new(rx, ry);
+                if quarter.is_dot() {
+                    anew.set(x, y, Color::White);
+                    continue;
+                }
+                let height = quarter.ry as i32;
+                for row in y - height..=y + height {
+                    let reach = quarter.reach(i64::from((row - y).abs())) as i32;
+                    anew.span(x - reach, x + reach, row, Color::Red);
+                }
+                anew.outline(x, y, &quarter, Sweep::FULL, Color::White);
+            }
+            prop_assert!(kept == anew);
+        }
+
         /// Shifting an ellipse out of the screen cuts it and changes nothing else.
         #[test]
         fn clipping_only_cuts(

@@ -55,6 +55,7 @@ const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 pub struct Screen {
     pixels: Box<[u8]>,
     journal: texts::Journal,
+    ellipses: ellipse::Kept,
 }
 
 impl Screen {
@@ -64,6 +65,7 @@ impl Screen {
         Screen {
             pixels: vec![Color::Black.index(); PIXELS].into_boxed_slice(),
             journal: texts::Journal::default(),
+            ellipses: ellipse::Kept::default(),
         }
     }
 
