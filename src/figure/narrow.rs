@@ -242,10 +242,9 @@ mod tests {
         /// A triangle that is told wide at once is so by its measures.
         #[test]
         fn wide_triangles_are_wide(corners in prop::array::uniform3(prop::array::uniform3(-1.0..1.0)), near in -16..0) {
-            let mut points = corners;
-            for d in 0..3 {
-                points[2][d] = points[0][d] + 0.3 * (points[1][d] - points[0][d]) + 10.0_f64.powi(near) * points[2][d];
-            }
+            let [a, b, c] = corners;
+            let beside = |d: usize| a[d] + 0.3 * (b[d] - a[d]) + 10.0_f64.powi(near) * c[d];
+            let points = [a, b, std::array::from_fn(beside)];
             let sides = [[0, 1], [1, 2], [2, 0]].map(|[a, b]| norm::<3>(std::array::from_fn(|d| points[a][d] - points[b][d])));
             let longest = sides.into_iter().fold(0.0, f64::max);
             let narrow = triangle_width(points) <= NARROWEST * longest;

@@ -214,9 +214,8 @@ mod tests {
             flat in 0_usize..4, near in prop::sample::select(vec![1.0_f32, 1e-3, 1e-6]), size in prop::sample::select(vec![1.0, 1e-40, 1e30]),
         ) {
             let mut corners = corners.map(|corner| corner.map(|x| f64::from(x) * size));
-            for d in 0..3 {
-                corners[2][d] = corners[1][d] + f64::from(near) * (corners[2][d] - corners[1][d]);
-            }
+            let [_, b, c] = corners;
+            corners[2] = std::array::from_fn(|d| b[d] + f64::from(near) * (c[d] - b[d]));
             if flat < 3 {
                 corners.iter_mut().for_each(|corner| corner[flat] = 0.0);
             }
