@@ -4,8 +4,7 @@
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use grafika::figure::{Axes, Figure, ModelFormat, ModelOptions, Style, surface_step, visible_lines};
 use grafika::geometry::{
-    Bezier, Closure, Grid, Method, ParamCurve, ParamSurface, Point, Scheme, Smoothing, Surface, Topology,
-    View, smooth,
+    Bezier, Closure, Grid, Method, ParamCurve, Point, Scheme, Smoothing, Surface, Topology, View, smooth,
 };
 use std::hint::black_box;
 use std::time::Duration;
@@ -28,7 +27,7 @@ fn models(c: &mut Criterion) {
         let surface = net(side);
         let options = ModelOptions { steps: STEPS, tolerance: 1e-6, name: "net" };
         group.bench_function(BenchmarkId::new("step", side), |b| {
-            b.iter(|| surface_step(black_box(&surface), "net"))
+            b.iter(|| surface_step(black_box(&surface), "net"));
         });
         group.bench_function(BenchmarkId::new("stl", side), |b| {
             b.iter(|| ModelFormat::Stl.encode(&[black_box(&surface)], &options));
@@ -52,7 +51,7 @@ fn hidden(c: &mut Criterion) {
     for side in [125, 250, 500, 707, 1000] {
         let grid = [sheet(side, 1.0)];
         group.bench_function(BenchmarkId::new("waves", side), |b| {
-            b.iter(|| visible_lines(black_box(&grid), &view))
+            b.iter(|| visible_lines(black_box(&grid), &view));
         });
     }
     // Seen along the sheet, and shrunk to a line: all triangles in one row of bins, or in one bin.
@@ -60,7 +59,7 @@ fn hidden(c: &mut Criterion) {
     let line = Grid::from_fn([129, 129], [false; 2], |k, l| [k as f64 + l as f64, 1e-13 * l as f64, 0.0]);
     for (name, grid, view) in [("edge-on", sheet(128, 0.0), along), ("line", line, view)] {
         group.bench_function(name, |b| {
-            b.iter(|| visible_lines(std::slice::from_ref(black_box(&grid)), &view))
+            b.iter(|| visible_lines(std::slice::from_ref(black_box(&grid)), &view));
         });
     }
     group.finish();
