@@ -243,7 +243,7 @@ fn joined(before: &Text, text: &Text) -> bool {
 
 fn join(before: &mut Text, text: Text) {
     let color = before.letters.last().map_or(Color::Black, |&(_, color)| color);
-    if text.x - before.end() > SIZE / 2 {
+    if text.x - before.end() >= SIZE / 2 {
         before.letters.push((' ', color));
     }
     before.width = text.end() - before.x;

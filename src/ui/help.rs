@@ -70,6 +70,8 @@ const LEAVE_TOP: i32 = HEIGHT - 40;
 const LINES: usize = 18;
 /// Height of such a line.
 const LINE: i32 = 20;
+/// Letters of such a line, and of what a key does: what the narrowest terminal has room for.
+const LETTERS: [usize; 2] = [54, 34];
 
 /// A text of the help page: where its first letter stands, and its colour.
 type Placed = ((i32, i32), String, Color);
@@ -155,11 +157,21 @@ enum Line {
 
 /// The same in parts, with the keys that point.
 fn parts(manual: &Manual, language: Language) -> Vec<Page> {
-    let mut lines = vec![Line::Text(manual.about.of(language).to_owned(), Color::White)];
-    lines.extend(intro(manual, language).map(|line| Line::Text(line, Color::LightCyan)));
+    let wrapped = |text: &str, color: Color| {
+        let lines = wrap(text, LETTERS[0]).into_iter().filter(|line| !line.is_empty());
+        lines.map(move |line| Line::Text(line, color)).collect::<Vec<_>>()
+    };
+    let mut lines = wrapped(manual.about.of(language), Color::White);
+    lines.extend(wrapped(manual.intro.of(language), Color::LightCyan));
     lines.push(Line::Text(String::new(), Color::White));
-    let keys = |(keys, what): KeyHelp| Line::Keys(keys.of(language).to_owned(), what.of(language).to_owned());
-    lines.extend(key_lines(manual, language).into_iter().map(keys));
+    let keys = |(keys, what): KeyHelp| {
+        let names = std::iter::once(keys.of(language).to_owned()).chain(std::iter::repeat(String::new()));
+        names
+            .zip(wrap(what.of(language), LETTERS[1]))
+            .map(|(keys, what)| Line::Keys(keys, what))
+            .collect::<Vec<_>>()
+    };
+    lines.extend(key_lines(manual, language).into_iter().flat_map(keys));
     let mut sections = vec![lines];
     let pointer =
         POINTER_KEYS.iter().map(|help| (Words(help.keys, help.keys), Words(help.hungarian, help.english)));
@@ -174,10 +186,10 @@ fn parts(manual: &Manual, language: Language) -> Vec<Page> {
     let tables = manual.lesson.iter().any(|piece| !matches!(piece, Lesson::Line(_)));
     if !tables && !manual.lesson.is_empty() {
         let told = manual.lesson.iter().filter_map(|piece| match piece {
-            Lesson::Line(text) => Some(Line::Text(text.of(language).to_owned(), Color::LightCyan)),
+            Lesson::Line(text) => Some(wrapped(text.of(language), Color::LightCyan)),
             _ => None,
         });
-        sections.push(told.collect());
+        sections.push(told.flatten().collect());
     }
     sections.push(lines);
     let chunks: Vec<&[Line]> = sections.iter().flat_map(|lines| lines.chunks(LINES)).collect();

@@ -278,12 +278,15 @@ impl List {
 
 /// The help of a program, as `grafika help NAME` shows it, or that nothing has this name; that of a command is clap's.
 fn program_help() -> Option<Failure> {
-    let words: Vec<OsString> = std::env::args_os().skip(1).collect();
-    let [help, name] = words.as_slice() else { return None };
+    // `ordered` puts what is said of the language behind the command.
+    let words: Vec<OsString> = ordered(std::env::args_os()).into_iter().skip(1).collect();
+    let spoken_of = |word: &OsString| word.to_string_lossy().starts_with("--lang");
+    let [help, name] = words.split(spoken_of).next()? else { return None };
     let name = name.to_str().filter(|_| help == "help")?;
     match programs::by_name(&name.to_lowercase()) {
         Some(program) => {
-            let asked = program.command().try_get_matches_from([program.manual.name, "--help"]);
+            let command = speaking(program.command(), spoken());
+            let asked = command.try_get_matches_from([program.manual.name, "--help"]);
             asked.err().map(Failure::from)
         }
         None => {

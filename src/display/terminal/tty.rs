@@ -14,7 +14,9 @@ use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::Duration;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// How long a terminal may take to answer; any that answers at all takes far less, but for a slow line.
 #[cfg(unix)]
@@ -36,6 +38,9 @@ pub(super) struct Tty {
 
 /// So many bytes may be under way: what a slow line needs a third of a second for.
 const UNDER_WAY: usize = 4096;
+
+/// A terminal that takes longer to answer is not asked again; the library gives up a little earlier.
+const LONGEST_ANSWER: Duration = Duration::from_millis(2500);
 
 /// Has the wish to end or to pause the process noted instead of carried out, until it is dropped: so that the terminal,
 /// or whatever else is under way, can be put in order.
@@ -231,10 +236,27 @@ impl Tty {
     fn wait_until_shown(&self, sent: usize) {
         let unshown = self.unshown.get().map(|unshown| unshown.saturating_add(sent));
         self.unshown.set(match unshown {
-            // The answer to where the cursor is comes after all that was sent before.
-            Some(UNDER_WAY..) => cursor::position().is_ok().then_some(0),
+            Some(UNDER_WAY..) => self.answers_where().then_some(0),
             other => other,
         });
+    }
+
+    /// Whether the terminal answers where the cursor is: the answer comes after all that was sent before. The library
+    /// would ask for ever if the terminal went away meanwhile, so that it does so beside.
+    fn answers_where(&self) -> bool {
+        let (told, answer) = mpsc::channel();
+        let asking = thread::Builder::new().spawn(move || told.send(cursor::position().is_ok()));
+        if asking.is_err() {
+            return false;
+        }
+        let end = Instant::now() + LONGEST_ANSWER;
+        loop {
+            match answer.recv_timeout(Duration::from_millis(50)) {
+                Ok(shown) => return shown,
+                Err(RecvTimeoutError::Timeout) if self.signals.stop().is_none() && Instant::now() < end => {}
+                Err(_) => return false,
+            }
+        }
     }
 
     /// Pauses the process before the next event.
@@ -298,7 +320,6 @@ fn wait(longest: Duration) -> Result<Duration, TerminalError> {
 #[cfg(unix)]
 fn ask() -> Result<Answers, TerminalError> {
     use rustix::event::{PollFd, PollFlags};
-    use std::time::Instant;
     let stdin = io::stdin();
     io::stdout().write_all(QUESTIONS)?;
     io::stdout().flush()?;

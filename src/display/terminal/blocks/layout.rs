@@ -101,6 +101,9 @@ pub(super) struct Placed {
     pub(super) column: usize,
 }
 
+/// The letters that fit side by side on the screen.
+const LETTERS: usize = WIDTH as usize / 8;
+
 /// Short texts are commands, numbers and names; they are placed before longer ones.
 const COMMAND: usize = 14;
 
@@ -118,8 +121,11 @@ pub(super) fn place(texts: &[Text], layout: &Layout) -> Vec<Placed> {
         let middle = f64::from(2 * text.x + text.width) * width as f64 / f64::from(2 * WIDTH);
         for (line, letters) in wrapped(text, width).into_iter().enumerate() {
             let length = letters.len();
-            // Negative places become 0.
-            let column = (middle - length as f64 / 2.0).floor().max(0.0) as usize;
+            // Negative places become 0. Where letters have less than a cell, columns of texts keep their left edges.
+            let column = match width < LETTERS {
+                true => usize::try_from(text.x).unwrap_or(0) * width / WIDTH as usize,
+                false => (middle - length as f64 / 2.0).floor().max(0.0) as usize,
+            };
             let wanted = ((row + line).min(height - 1), column.min(width - length));
             let farthest = if text.covered { 1 } else { height.max(width) };
             if let Some((row, column)) = room.nearest(wanted, length, farthest) {
