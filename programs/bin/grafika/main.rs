@@ -278,17 +278,14 @@ impl List {
 
 /// The help of a program, as `grafika help NAME` shows it, or that nothing has this name; that of a command is clap's.
 fn program_help() -> Option<Failure> {
-    // `ordered` puts what is said of the language behind the command.
+    // Which language is spoken stands behind, if it is said.
     let words: Vec<OsString> = ordered(std::env::args_os()).into_iter().skip(1).collect();
-    let spoken_of = |word: &OsString| word.to_string_lossy().starts_with("--lang");
-    let [help, name] = words.split(spoken_of).next()? else { return None };
+    let [help, name] = words.split(|word| word.to_string_lossy().starts_with("--lang")).next()? else {
+        return None;
+    };
     let name = name.to_str().filter(|_| help == "help")?;
     match programs::by_name(&name.to_lowercase()) {
-        Some(program) => {
-            let command = speaking(program.command(), spoken());
-            let asked = command.try_get_matches_from([program.manual.name, "--help"]);
-            asked.err().map(Failure::from)
-        }
+        Some(program) => program.start_from([program.manual.name, "--help"].map(OsString::from)).err(),
         None => {
             Cli::command().find_subcommand(name).is_none().then(|| unknown(name)).filter(|_| name != "help")
         }
