@@ -1,7 +1,7 @@
 //! `grafika install` and `telepit`: the page where there is a terminal, a plain command where groups are given.
 
 use super::progress::Bar;
-use super::{DisplayKind, Failure, RunOptions, has_terminal, progress, write_output};
+use super::{DisplayKind, Failure, RunOptions, has_terminal, progress, spoken, write_output};
 use crate::machine::Language;
 use crate::programs::groups::GROUPS;
 #[cfg(feature = "terminal")]
@@ -183,14 +183,16 @@ impl Uninstall {
     /// [`Failure`] when nothing was installed there, or something cannot be removed.
     pub fn run(&self) -> Result<(), Failure> {
         let folder = self.folder.clone().unwrap_or_else(place::offered);
-        let mut text = String::new();
+        let (language, mut text) = (spoken(), String::new());
         let done = removal::remove(&folder, |path, fate| {
             let what = match fate {
-                Fate::Removed => "removed",
-                Fate::Missing => "was gone already",
-                Fate::Changed => "is not what was installed, and stays",
+                Fate::Removed => Words("eltávolítva", "removed"),
+                Fate::Missing => Words("már nem volt ott", "was gone already"),
+                Fate::Changed => {
+                    Words("nem az, ami telepítve lett, és marad", "is not what was installed, and stays")
+                }
             };
-            text += &format!("{}: {what}\n", path.display());
+            text += &format!("{}: {}\n", path.display(), what.of(language));
         });
         write_output(text.as_bytes())?;
         done.map_err(Failure::work)
