@@ -168,27 +168,27 @@ impl Room {
         farthest: usize,
     ) -> Option<(usize, usize)> {
         let mut best: Option<(usize, (usize, usize))> = None;
-        let rows = (0..self.height).filter(|&at| at.abs_diff(row) <= farthest);
-        for at in rows {
-            let away = 3 * at.abs_diff(row);
-            if best.is_some_and(|(cost, _)| cost <= away) {
-                continue;
+        let dearer =
+            |best: Option<(usize, (usize, usize))>, cost: usize| best.is_some_and(|(known, _)| cost > known);
+        for (away, at) in around(row, self.height).take_while(|&(away, _)| away <= farthest) {
+            if dearer(best, 3 * away) {
+                break;
             }
             let Some(line) = self.taken.get(at * self.width..(at + 1) * self.width) else { continue };
-            for start in 0..=self.width - length {
-                let aside = start.abs_diff(column);
-                let cost = away + aside;
-                if aside > farthest || best.is_some_and(|(known, _)| known <= cost) {
-                    continue;
+            let starts = around(column, self.width - length + 1);
+            for (aside, start) in starts.take_while(|&(aside, _)| aside <= farthest) {
+                if dearer(best, 3 * away + aside) {
+                    break;
                 }
                 if line[start..start + length].contains(&true) {
                     continue;
                 }
                 let touched = |at: Option<usize>| at.and_then(|at| line.get(at)) == Some(&true);
                 let touching = touched(start.checked_sub(1)) || touched(Some(start + length));
-                let cost = cost + if touching { 3 } else { 0 };
-                if best.is_none_or(|(known, _)| cost < known) {
-                    best = Some((cost, (at, start)));
+                let found = (3 * away + aside + if touching { 3 } else { 0 }, (at, start));
+                // Among equals the upper and left one.
+                if best.is_none_or(|known| found < known) {
+                    best = Some(found);
                 }
             }
         }
@@ -199,6 +199,16 @@ impl Room {
         let from = row * self.width + column;
         self.taken[from..from + length].fill(true);
     }
+}
+
+/// The numbers below a size by their distance from a middle, the distance first.
+fn around(middle: usize, size: usize) -> impl Iterator<Item = (usize, usize)> {
+    let both = move |distance: usize| {
+        let below = middle.checked_sub(distance);
+        let above = Some(middle + distance).filter(|_| distance > 0);
+        [below, above].into_iter().flatten().filter(move |&at| at < size).map(move |at| (distance, at))
+    };
+    (0..=middle.max(size)).flat_map(both)
 }
 
 #[cfg(test)]
