@@ -9,7 +9,7 @@ pub mod text;
 use super::ALL;
 use crate::figure::wrap;
 use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Stop, Tick};
-use crate::screen::{Color, Direction, HEIGHT, Screen, Stroke, WIDTH};
+use crate::screen::{Color, Direction, HEIGHT, Screen, Stroke, WIDTH, base_letter};
 use crate::ui::{
     Area, CommandLine, Demo, Desk, Manual, Phrase, Picture, Program, Stay, Words, sunken, without_document,
     words,
@@ -213,15 +213,7 @@ const STEPS: [(Key, Step); 8] = [
 
 /// A text as it is searched in: small letters without accents, so that a search needs no Hungarian keyboard.
 fn folded(text: &str) -> String {
-    let plain = |letter: char| match letter {
-        'á' => 'a',
-        'é' => 'e',
-        'í' => 'i',
-        'ó' | 'ö' | 'ő' => 'o',
-        'ú' | 'ü' | 'ű' => 'u',
-        other => other,
-    };
-    text.to_lowercase().chars().map(plain).collect()
+    text.to_lowercase().chars().map(base_letter).collect()
 }
 
 impl Picture for Menu {

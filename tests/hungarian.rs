@@ -44,7 +44,6 @@ const OTHERS: [&str; 13] = [
 /// Parts of sentences that stand in the list as a whole, and what nobody is told.
 const PARTS: &[&str] = &[
     " (os error",
-    "7 is there already. Overwrite it? [y/N] ",
     "; did you mean 7?",
     "did you mean",
     "no data file has this extension7; there are 7 .json .csv, and for reading .7",

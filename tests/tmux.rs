@@ -14,6 +14,14 @@ struct Tmux {
 }
 
 impl Tmux {
+    /// Starts a program in the shell.
+    fn running(program: &str) -> Option<Tmux> {
+        let tmux = Tmux::start()?;
+        tmux.wait_for("bash-");
+        tmux.type_line(&format!("{program} --display terminal --lang en"));
+        Some(tmux)
+    }
+
     /// `None` where there is no tmux; a machine that promises all tests must have one.
     fn start() -> Option<Tmux> {
         let folder = TempDir::new().unwrap();
@@ -94,15 +102,9 @@ impl Drop for Tmux {
     }
 }
 
-fn program(path: &str) -> String {
-    format!("{path} --display terminal --lang en")
-}
-
 #[test]
 fn a_spline_without_a_mouse() {
-    let Some(tmux) = Tmux::start() else { return };
-    tmux.wait_for("bash-");
-    tmux.type_line(&program(env!("CARGO_BIN_EXE_gb_2d_ip")));
+    let Some(tmux) = Tmux::running(env!("CARGO_BIN_EXE_gb_2d_ip")) else { return };
     tmux.wait_for("U-new");
     tmux.keys(&["u"]);
     tmux.wait_for("B-insert");
@@ -144,9 +146,7 @@ fn a_spline_without_a_mouse() {
 
 #[test]
 fn a_wheel_of_four_moves_without_a_mouse() {
-    let Some(tmux) = Tmux::start() else { return };
-    tmux.wait_for("bash-");
-    tmux.type_line(&program(env!("CARGO_BIN_EXE_gyongy_k")));
+    let Some(tmux) = Tmux::running(env!("CARGO_BIN_EXE_gyongy_k")) else { return };
     tmux.wait_for("Enter");
     // The proposal is a game of four moves.
     tmux.keys(&["Enter"]);

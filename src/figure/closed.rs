@@ -3,55 +3,29 @@
 //! The corners are sorted by their vertices by counting. Then the triangles around a vertex are walked through a row of
 //! numbers as long as the mesh has vertices, of which those that belong to this vertex bear its mark.
 
+use super::buckets::Buckets;
+
 /// A triangle by the numbers of its corners.
 type Triangle = [usize; 3];
 
-/// The corners of triangles, sorted by their vertices; those of a vertex in the order of the triangles.
-pub(super) struct Fans {
-    /// Where the corners of every vertex begin, and where the last ones end.
-    starts: Vec<u32>,
-    /// Three times the number of a triangle, plus which of its corners.
-    corners: Vec<u32>,
-}
+/// The corners of triangles, sorted by their vertices: three times the number of a triangle, plus which of its corners.
+pub(super) struct Fans(Buckets);
 
 impl Fans {
-    /// `None` if a corner has no vertex, or if there are more corners than 32 bits count, which no grid has.
+    /// `None` if a corner has no vertex, or there are too many corners.
     pub(super) fn new(vertices: usize, triangles: &[Triangle]) -> Option<Fans> {
-        u32::try_from(triangles.len().checked_mul(3)?).ok()?;
-        let mut starts = vec![0_u32; vertices.checked_add(1)?];
-        for &vertex in triangles.iter().flatten() {
-            *starts.get_mut(vertex.checked_add(1)?)? += 1;
-        }
-        let mut sum = 0;
-        for start in &mut starts {
-            sum += *start;
-            *start = sum;
-        }
-        // Every vertex' start moves to its end while the corners are put, and back.
-        let mut corners = vec![0_u32; 3 * triangles.len()];
-        for (corner, &vertex) in (0_u32..).zip(triangles.iter().flatten()) {
-            let start = starts.get_mut(vertex)?;
-            *corners.get_mut(*start as usize)? = corner;
-            *start += 1;
-        }
-        starts.pop();
-        starts.insert(0, 0);
-        Some(Fans { starts, corners })
+        Some(Fans(Buckets::new(vertices, triangles.iter().flatten().copied())?))
     }
 
     /// The corners at a vertex: number of the triangle, and which of its corners.
     pub(super) fn at(&self, vertex: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
-        let bound = |index: usize| self.starts.get(index).map_or(0, |&start| start as usize);
-        let corners = self.corners.get(bound(vertex)..bound(vertex + 1)).unwrap_or_default();
-        corners.iter().map(|&corner| (corner as usize / 3, corner as usize % 3))
+        self.0.of(vertex).iter().map(|&corner| (corner as usize / 3, corner as usize % 3))
     }
 
     /// The same with the corners at every vertex sorted by the vertices that their triangles run to from there.
     pub(super) fn sorted(vertices: usize, triangles: &[Triangle]) -> Option<Fans> {
         let mut fans = Fans::new(vertices, triangles)?;
-        for ends in fans.starts.windows(2) {
-            let [start, end] = [ends[0], ends[1]].map(|end| end as usize);
-            let corners = fans.corners.get_mut(start..end).unwrap_or_default();
+        for corners in fans.0.each_mut() {
             corners.sort_unstable_by_key(|&corner| (next(triangles, corner), corner));
         }
         Some(fans)
@@ -63,8 +37,7 @@ impl Fans {
         triangles: &[Triangle],
         [from, to]: [usize; 2],
     ) -> impl Iterator<Item = usize> {
-        let bound = |index: usize| self.starts.get(index).map_or(0, |&start| start as usize);
-        let corners = self.corners.get(bound(from)..bound(from + 1)).unwrap_or_default();
+        let corners = self.0.of(from);
         let first = corners.partition_point(|&corner| next(triangles, corner) < to);
         let after = corners.partition_point(|&corner| next(triangles, corner) <= to);
         corners.get(first..after).unwrap_or_default().iter().map(|&corner| corner as usize / 3)

@@ -27,6 +27,7 @@
 //! ```
 
 mod axes;
+mod buckets;
 mod closed;
 mod error;
 mod layout;

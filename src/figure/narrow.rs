@@ -1,5 +1,6 @@
 //! Triangles without area, and triangles back to back, taken out of a mesh so that what is closed stays closed.
 
+use super::buckets::Buckets;
 use super::closed::Fans;
 use crate::geometry::{Point, cross, dot, norm, triangle_width};
 use std::borrow::Cow;
@@ -150,28 +151,8 @@ impl<'a> Net<'a> {
 
 /// The numbers of triangles that lie back to back in pairs, each with the last one before it that is still alone.
 fn opposite(points: usize, triangles: &[[usize; 3]]) -> Vec<usize> {
-    // By their smallest corner, found by counting.
-    let mut starts = vec![0_u32; points + 1];
-    let least = |corners: &[usize; 3]| corners.iter().copied().min().unwrap_or(0);
-    for corners in triangles {
-        if let Some(start) = starts.get_mut(least(corners) + 1) {
-            *start += 1;
-        }
-    }
-    let mut sum = 0;
-    for start in &mut starts {
-        sum += *start;
-        *start = sum;
-    }
-    let mut sorted = vec![0_u32; triangles.len()];
-    for (number, corners) in (0_u32..).zip(triangles) {
-        if let Some(start) = starts.get_mut(least(corners)) {
-            if let Some(slot) = sorted.get_mut(*start as usize) {
-                *slot = number;
-            }
-            *start += 1;
-        }
-    }
+    let least = triangles.iter().map(|corners| corners.iter().copied().min().unwrap_or(0));
+    let Some(mut by_least) = Buckets::new(points, least) else { return Vec::new() };
     // The other two corners, the smaller one first, and whether they are so in the triangle.
     let others = |number: u32| {
         let [a, b, c] = triangles.get(number as usize).copied().unwrap_or_default();
@@ -185,11 +166,7 @@ fn opposite(points: usize, triangles: &[[usize; 3]]) -> Vec<usize> {
         ([next.min(last), next.max(last)], next < last)
     };
     let mut gone = Vec::new();
-    let mut from = 0;
-    // Every start has moved to its end.
-    for end in starts {
-        let Some(of_corner) = sorted.get_mut(from..end as usize) else { continue };
-        from = end as usize;
+    for of_corner in by_least.each_mut() {
         of_corner.sort_unstable_by_key(|&number| (others(number).0, number));
         for same in of_corner.chunk_by(|one, other| others(*one).0 == others(*other).0) {
             let mut alone = [Vec::new(), Vec::new()];

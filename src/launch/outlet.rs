@@ -114,7 +114,8 @@ impl Overwrite {
             return !self.no_clobber;
         }
         let question =
-            format!("{} is there already. Overwrite it? [y/N] ", visible(&path.display().to_string()));
+            format!("{} is there already. Overwrite it? [y/N]", visible(&path.display().to_string()));
+        let question = format!("{} ", in_language(&question, spoken()));
         let mut answer = String::new();
         // Who sees no question gives no answer either.
         std::io::stderr().write_all(question.as_bytes()).is_ok()

@@ -35,7 +35,7 @@ pub use line::{Pattern, Stroke, Width};
 pub use palette::Palette;
 pub use pointer::Masks;
 pub use texts::Text;
-pub use title::{Direction, title_size};
+pub use title::{Direction, base_letter, title_size};
 pub use visible::visible;
 
 use std::fmt;

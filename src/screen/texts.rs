@@ -31,7 +31,7 @@ impl Text {
         self.letters.iter().map(|&(ch, _)| ch).collect()
     }
 
-    /// The middle in pixels, twice.
+    /// Where it has ended, in pixels.
     fn end(&self) -> i32 {
         self.x + self.width
     }

@@ -140,6 +140,12 @@ impl Accent {
     }
 }
 
+/// The letter without the accent that Hungarian may put on it.
+#[must_use]
+pub fn base_letter(ch: char) -> char {
+    decompose(ch).0
+}
+
 /// The letter and the accent that a Hungarian letter is made of.
 fn decompose(ch: char) -> (char, Option<Accent>) {
     let (base, accent) = match ch {

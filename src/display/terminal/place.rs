@@ -6,7 +6,7 @@ use crate::screen::{HEIGHT, WIDTH};
 pub(super) const LEAST: (u16, u16) = (60, 20);
 
 /// Columns and rows at which every letter of the picture has a cell of its own.
-const LETTERS: (usize, usize) = (80, 30);
+pub(super) const LETTERS: (usize, usize) = (80, 30);
 
 /// A terminal's size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! The characters that a cell can show, and the one that comes nearest to its pixels.
 
 use crate::machine::Glyphs;
+use crate::screen::base_letter;
 use std::sync::LazyLock;
 
 /// The pixels of a cell, 8 to a row and 16 rows; bit `8 * row + column` is set where the ink is.
@@ -265,18 +266,8 @@ fn stroke(dots: Dots) -> char {
 
 /// A letter as ASCII has it.
 pub(super) fn ascii(ch: char) -> char {
-    match ch {
-        ' '..='~' => ch,
-        'á' => 'a',
-        'é' => 'e',
-        'í' => 'i',
-        'ó' | 'ö' | 'ő' => 'o',
-        'ú' | 'ü' | 'ű' => 'u',
-        'Á' => 'A',
-        'É' => 'E',
-        'Í' => 'I',
-        'Ó' | 'Ö' | 'Ő' => 'O',
-        'Ú' | 'Ü' | 'Ű' => 'U',
+    match base_letter(ch) {
+        plain @ ' '..='~' => plain,
         '←' => '<',
         '→' => '>',
         '↑' | '↖' => '^',

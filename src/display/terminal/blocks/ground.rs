@@ -56,8 +56,6 @@ impl Ground {
                     }
                 }
             }
-            let places =
-                |marks: &[bool]| -> Vec<usize> { (0..marks.len()).filter(|&at| marks[at]).collect() };
             let (mut rows, columns) = (places(&rows), places(&columns));
             // Rows are counted from below, as their numbers are.
             rows.reverse();
@@ -85,6 +83,11 @@ impl Ground {
         }
         most(&counts)
     }
+}
+
+/// Where marks are set.
+fn places(marks: &[bool]) -> Vec<usize> {
+    (0..marks.len()).filter(|&at| marks[at]).collect()
 }
 
 /// Every so many-th line of a grid (1, 2, 5 or 10), so that those left are some pixels apart.
@@ -260,7 +263,6 @@ fn grid(pixels: &[u8], runs: &Runs) -> Option<Grid> {
             (0..marks.len()).map(|at| on(Some(at)) && !on(at.checked_sub(1)) && !on(Some(at + 1))).collect()
         };
         let (rows, columns) = (single(&rows), single(&columns));
-        let places = |marks: &[bool]| -> Vec<usize> { (0..marks.len()).filter(|&at| marks[at]).collect() };
         let (across, down) = (places(&rows), places(&columns));
         if across.len() < GRID_LINES || down.len() < GRID_LINES {
             return None;

@@ -1,7 +1,9 @@
 //! Which pixels belong to which cell, and which cells the texts take.
 
+use super::super::place::LETTERS;
 use super::Place;
 use crate::screen::{HEIGHT, Text, WIDTH};
+use std::collections::BTreeMap;
 
 /// Where the cells of a picture begin and end in its pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,8 +24,11 @@ impl Layout {
     pub(super) fn new(place: Place, texts: &[Text]) -> Layout {
         let columns = (0..=place.width).map(|column| column * WIDTH as usize / place.width.max(1)).collect();
         let even = (0..=place.height).map(|row| row * HEIGHT as usize / place.height.max(1)).collect();
+        // Where there are more lines than rows, those share a row that are the closest.
         let lines = lines(texts);
-        Layout { columns, rows: uneven(&lines, place.height).unwrap_or(even) }
+        let fit =
+            (SAME_LINE..HEIGHT).map(|least| apart(&lines, least)).find(|lines| lines.len() <= place.height);
+        Layout { columns, rows: fit.and_then(|lines| uneven(&lines, place.height)).unwrap_or(even) }
     }
 
     /// The cell of a pixel: column and row.
@@ -38,17 +43,26 @@ impl Layout {
 
 /// Whether a text has words, other than numbers and names of points, which move.
 pub(super) fn is_wordy(text: &Text) -> bool {
-    let letters = text.letters.iter().filter(|(ch, _)| ch.is_alphabetic()).count();
-    !text.covered && (letters >= 3 || letters > 0 && text.letters.len() >= 5)
+    !text.covered && text.letters.iter().filter(|(ch, _)| ch.is_alphabetic()).count() >= 3
 }
 
-/// The middles of the lines of words, from above.
+/// So many texts side by side are a row of a table.
+const TABLE: usize = 4;
+
+/// The middles of the lines of words and of the rows of tables, from above.
 fn lines(texts: &[Text]) -> Vec<i32> {
-    let mut middles: Vec<i32> =
-        texts.iter().filter(|text| is_wordy(text)).map(|text| text.y + text.height / 2).collect();
-    middles.sort_unstable();
-    middles.dedup_by(|below, above| *below - *above < SAME_LINE);
-    middles
+    let middle = |text: &Text| text.y + text.height / 2;
+    let mut counts: BTreeMap<i32, usize> = BTreeMap::new();
+    texts.iter().for_each(|text| *counts.entry(middle(text)).or_default() += 1);
+    let wordy = |y: i32| texts.iter().any(|text| middle(text) == y && is_wordy(text));
+    counts.into_iter().filter(|&(y, count)| count >= TABLE || wordy(y)).map(|(y, _)| y).collect()
+}
+
+/// The lines without those that are nearer than this to the last one above that is left.
+fn apart(lines: &[i32], least: i32) -> Vec<i32> {
+    let mut lines = lines.to_vec();
+    lines.dedup_by(|below, above| *below - *above < least);
+    lines
 }
 
 /// The edges of rows that give each line its own; `None` when equal rows do so, or there are more lines than rows.
@@ -61,19 +75,19 @@ fn uneven(lines: &[i32], height: usize) -> Option<Vec<usize>> {
     // From above every line moves down as far as it must, from below up; between the two is the least of both.
     let last = even.len();
     let below = |(at, row): (usize, usize)| row.min(height - (last - at));
-    let apart = |rows: &mut Vec<usize>| {
+    let spread = |rows: &mut Vec<usize>| {
         for at in 1..last {
             rows[at] = rows[at].max(rows[at - 1] + 1);
         }
     };
     let mut down = even.clone();
-    apart(&mut down);
+    spread(&mut down);
     let down: Vec<usize> = down.into_iter().enumerate().map(below).collect();
     let mut up: Vec<usize> = even.into_iter().enumerate().map(below).collect();
     for at in (1..last).rev() {
         up[at - 1] = up[at - 1].min(up[at].saturating_sub(1));
     }
-    apart(&mut up);
+    spread(&mut up);
     let rows: Vec<usize> = down.iter().zip(&up).map(|(down, up)| (down + up) / 2).collect();
     let mut anchors: Vec<(f64, f64)> = vec![(0.0, 0.0)];
     anchors.extend(rows.iter().zip(lines).map(|(&row, &y)| (row as f64 + 0.5, f64::from(y))));
@@ -101,18 +115,27 @@ pub(super) struct Placed {
     pub(super) column: usize,
 }
 
-/// The letters that fit side by side on the screen.
-const LETTERS: usize = WIDTH as usize / 8;
-
-/// Short texts are commands, numbers and names; they are placed before longer ones.
+/// Words of at most so many letters are commands.
 const COMMAND: usize = 14;
 
-/// The cells of the texts. Commands and numbers of points come first, then sentences, then numbers that are hidden in
-/// part, each from above; every text takes the free cells nearest to its place. What finds no room is left out.
+/// When a text is placed: commands and numbers first, then sentences, then other signs, such as the indices of a formula,
+/// then numbers that are hidden in part.
+fn turn(text: &Text) -> u8 {
+    let number = text.letters.iter().all(|(ch, _)| !ch.is_alphabetic());
+    match (text.covered, is_wordy(text)) {
+        (true, _) => 3,
+        (false, wordy) if number || wordy && text.letters.len() <= COMMAND => 0,
+        (false, true) => 1,
+        (false, false) => 2,
+    }
+}
+
+/// The cells of the texts, each in its [`turn`] and from above; every text takes the free cells nearest to its place.
+/// What finds no room is left out.
 pub(super) fn place(texts: &[Text], layout: &Layout) -> Vec<Placed> {
     let (width, height) = (layout.columns.len() - 1, layout.rows.len() - 1);
     let mut order: Vec<usize> = (0..texts.len()).collect();
-    order.sort_by_key(|&at| (texts[at].covered, texts[at].letters.len() > COMMAND));
+    order.sort_by_key(|&at| turn(&texts[at]));
     let mut room = Room { taken: vec![false; width * height], width, height };
     let mut placed = Vec::new();
     for at in order {
@@ -122,7 +145,7 @@ pub(super) fn place(texts: &[Text], layout: &Layout) -> Vec<Placed> {
         for (line, letters) in wrapped(text, width).into_iter().enumerate() {
             let length = letters.len();
             // Negative places become 0. Where letters have less than a cell, columns of texts keep their left edges.
-            let column = match width < LETTERS {
+            let column = match width < LETTERS.0 {
                 true => usize::try_from(text.x).unwrap_or(0) * width / WIDTH as usize,
                 false => (middle - length as f64 / 2.0).floor().max(0.0) as usize,
             };
