@@ -124,6 +124,7 @@ mod tests {
             let name = program.manual.name;
             for language in [Language::Hungarian, Language::English] {
                 assert_eq!(program.manual.misfits(language), [""; 0], "{name}");
+                assert!(program.manual.tells_what_is_seen(language), "{name}");
                 let intro = program.manual.intro.of(language);
                 let sentences = intro.split_inclusive(['.', '!']).filter(|it| it.len() > 8).count();
                 assert!(sentences >= 3, "{name}: {intro}");

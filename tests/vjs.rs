@@ -87,12 +87,12 @@ fn the_handle_is_dragged_in_its_square_and_springs_back() {
     let released = model("move 579 419\npress left\nmove 600 400\nkey Esc");
     assert_eq!((&released["handle"], &released["held"]), (&json!([0, 0]), &json!(false)));
     // A button that is let go on the help page is noticed afterwards.
-    assert_eq!(model(&format!("{HOLD}\nkey F1\nrelease left\nkey Space\nwait 20"))["held"], json!(false));
+    assert_eq!(model(&format!("{HOLD}\nkey F1\nrelease left\nkey Esc\nwait 20"))["held"], json!(false));
 }
 
 #[test]
 fn the_clock_stands_on_the_help_page() {
-    assert_eq!(model("wait 500\nkey F1\nwait 5000\nkey F2\nkey Space\nwait 250")["time"], json!(0.75));
+    assert_eq!(model("wait 500\nkey F1\nwait 5000\nkey F2\nkey Esc\nwait 250")["time"], json!(0.75));
 }
 
 #[test]

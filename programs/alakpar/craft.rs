@@ -215,7 +215,7 @@ where
 
     fn dragged(editor: &Bench<D>, held: &Held<Handle, D>, at: (i32, i32)) -> Option<Point<D>> {
         match held.handle {
-            Handle::Slider(_) => editor.knob().map(|knob| dial::as_place(dial::value_at(&knob, at.0))),
+            Handle::Slider(_) => editor.knob().map(|knob| dial::as_place(dial::slider(&knob).value_at(at.0))),
             _ => editor.lens.dragged(held, at),
         }
     }
@@ -246,7 +246,7 @@ where
         let moved = match (held.handle, editor.knob()) {
             // A click beside the knob takes it there.
             (Handle::Slider(parameter), Some(knob)) if held.at == held.from => {
-                let value = dial::value_at(&knob, held.pressed.0);
+                let value = dial::slider(&knob).value_at(held.pressed.0);
                 editor.history.now().with(parameter, value).unwrap_or(moved)
             }
             _ => moved,

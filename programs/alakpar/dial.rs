@@ -12,8 +12,8 @@ use crate::file::Places;
 use crate::geometry::Point;
 use crate::geometry::shaped::Parameter;
 use crate::machine::{Event, Key, Tick};
-use crate::screen::{Color, Stroke};
-use crate::ui::{Area, Desk, Stay, window};
+use crate::screen::Color;
+use crate::ui::{Area, Desk, Slider, Stay, window};
 use serde::Serialize;
 
 /// The slider's track, and where the mouse takes its knob up.
@@ -32,6 +32,11 @@ pub(super) fn of_place<const D: usize>(place: Point<D>) -> f64 {
     place.first().copied().unwrap_or(0.0)
 }
 
+/// The potentiometer of a parameter.
+pub(super) fn slider(knob: &Knob) -> Slider {
+    Slider { range: knob.range, allowed: knob.allowed, step: knob.step, track: TRACK }
+}
+
 /// Whether a pixel is on the slider.
 pub(super) fn on_slider((x, y): (i32, i32)) -> bool {
     SLIDER.holds(x, y)
@@ -40,33 +45,6 @@ pub(super) fn on_slider((x, y): (i32, i32)) -> bool {
 /// The number of the window at a pixel.
 pub(super) fn window_at((x, y): (i32, i32)) -> Option<usize> {
     WINDOWS.iter().position(|window| window.holds(x, y))
-}
-
-/// The value under a pixel of the slider, with two decimals; its ends exactly.
-pub(super) fn value_at(knob: &Knob, x: i32) -> f64 {
-    let [low, high] = knob.range;
-    let part = f64::from(x - TRACK.0) / f64::from(TRACK.1 - TRACK.0);
-    match part {
-        _ if part <= 0.0 => low,
-        _ if part >= 1.0 => high,
-        _ => ((100.0 * (low + part * (high - low))).round() / 100.0).clamp(low, high),
-    }
-}
-
-/// Where the knob of a value stands.
-fn pixel_of(knob: &Knob, value: f64) -> i32 {
-    let [low, high] = knob.range;
-    let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
-    TRACK.0 + (part * f64::from(TRACK.1 - TRACK.0)).round() as i32
-}
-
-/// A value some steps further, on the grid of steps, within what is allowed.
-fn stepped(knob: &Knob, value: f64, steps: f64) -> f64 {
-    let grid = knob.step / 10.0;
-    let next = ((value + steps * knob.step) / grid).round() * grid;
-    // Decimal steps have no decimal doubles.
-    let next = (1e6 * next).round() / 1e6;
-    next.clamp(knob.allowed[0], knob.allowed[1])
 }
 
 /// Takes up the wheel over a window or the slider, the keys that turn the parameter, and those of the comb.
@@ -120,7 +98,7 @@ where
         desk.tell(texts::WHICH_LAMBDA, Stay::UntilRead);
         return;
     };
-    if let Ok(next) = form.with(knob.parameter, stepped(&knob, value, steps)) {
+    if let Ok(next) = form.with(knob.parameter, slider(&knob).stepped(value, steps)) {
         editor.change(next);
     }
 }
@@ -147,16 +125,12 @@ where
         screen.text(area.x1 + 18, area.y1 + 4, &value, ink);
     }
     let Some(knob) = active else { return };
-    let (left, right, y) = TRACK;
+    let (_, right, y) = TRACK;
     let [low, high] = knob.range.map(|end| texts::short((100.0 * end).round() / 100.0));
     let width = 8 * i32::try_from(low.len()).unwrap_or(0);
     screen.text(46 - width, y - 3, &low, Color::Black);
     screen.text(right + 10, y - 3, &high, Color::Black);
-    screen.line(left, y, right, y, Stroke::thick(Color::Black));
-    if let Some(value) = form.value(knob.parameter) {
-        let x = pixel_of(&knob, value);
-        screen.disc(x, y, 4, Color::Yellow, Color::Black);
-    }
+    slider(&knob).draw(screen, form.value(knob.parameter), false);
 }
 
 /// The name of a parameter, with the number of its point.
@@ -171,38 +145,5 @@ fn shown<const D: usize>(form: &Form<D>, knob: &Knob, language: crate::machine::
     match form.value(knob.parameter) {
         Some(value) => texts::number(value),
         None => texts::EACH.of(language).to_owned(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const KNOB: Knob = Knob {
-        parameter: Parameter::Omega,
-        name: "omega",
-        range: [-25.0, 9.0],
-        allowed: [-900.0, 9.0],
-        step: 0.5,
-    };
-
-    #[test]
-    fn the_slider_has_exact_ends_and_two_decimals() {
-        assert_eq!(value_at(&KNOB, 0), -25.0);
-        assert_eq!(value_at(&KNOB, 600), 9.0);
-        let middle = value_at(&KNOB, 103);
-        assert_eq!(middle, (middle * 100.0).round() / 100.0);
-        assert_eq!(pixel_of(&KNOB, -900.0), TRACK.0);
-        for x in TRACK.0..=TRACK.1 {
-            assert!((pixel_of(&KNOB, value_at(&KNOB, x)) - x).abs() <= 1);
-        }
-    }
-
-    #[test]
-    fn steps_stay_on_their_grid_and_within_what_is_allowed() {
-        assert_eq!(stepped(&KNOB, 0.0, 1.0), 0.5);
-        assert_eq!(stepped(&KNOB, 0.0, -0.1), -0.05);
-        assert_eq!(stepped(&KNOB, 8.9, 3.0), 9.0);
-        assert_eq!(stepped(&KNOB, -899.9, -1.0), -900.0);
     }
 }

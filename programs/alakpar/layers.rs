@@ -6,6 +6,7 @@ use super::points::{full, steps};
 use super::room::{Here, Room};
 use super::{basis, dial, texts, traces};
 use crate::design::Place;
+use crate::editor::comb;
 use crate::editor::lens::Lens;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::Item;
@@ -58,7 +59,7 @@ where
         items.push(Item::Curve { curve: cubic, steps, stroke, name: None });
     }
     if let (Some(curve), Some(scale)) = (&curve, options.comb) {
-        traces::add_comb(curve, scale, &mut items);
+        comb::add_comb(curve, scale, &mut items);
     }
     if let Some(knob) = editor.knob() {
         if options.series {
@@ -262,7 +263,7 @@ where
         return;
     }
     let Some(curve) = form.curve().ok() else { return };
-    let facts = texts::facts(form.points.len(), curve.spans(), traces::length(&curve), form.through);
+    let facts = texts::facts(form.points.len(), curve.spans(), comb::length(&curve), form.through);
     screen.text(LEFT, LINES[0], facts.of(language), Color::Black);
     let mut lines: Vec<(Phrase, Color)> = Vec::new();
     if let Some(aim) = aim_shown(editor).filter(|_| editor.held.is_none()) {

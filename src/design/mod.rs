@@ -7,6 +7,7 @@ pub mod ec;
 mod edit;
 mod error;
 pub mod fourier;
+mod influence;
 pub mod knots;
 mod net;
 pub mod nets;

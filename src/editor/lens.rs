@@ -2,6 +2,7 @@
 
 use super::field;
 use crate::figure::{Axes, Figure};
+use crate::file::FIELD;
 use crate::geometry::{BoundingBox, ParamCurve, Point};
 use crate::machine::{Button, Language, Tick};
 use crate::screen::{Color, Screen, Stroke};
@@ -27,6 +28,14 @@ pub(crate) trait Lens<const D: usize> {
     fn pixel(&self, place: Point<D>) -> (i32, i32);
     /// The place of a held handle when the mouse is at a pixel; `None` for a mere click.
     fn dragged<H>(&self, held: &Held<H, D>, mouse: (i32, i32)) -> Option<Point<D>>;
+    /// The same along an axis of space; `None` where there is none, or where it points at the viewer.
+    fn dragged_along<H>(&self, _: &Held<H, D>, _mouse: (i32, i32), _axis: usize) -> Option<Point<D>> {
+        None
+    }
+    /// A place moved by pixels to the right and up, or by as many units along an axis of space.
+    fn nudged(&self, place: Point<D>, _by: (i32, i32), _axis: Option<usize>) -> Point<D> {
+        place
+    }
     /// The point of a place in a figure.
     fn flat(&self, place: Point<D>) -> Point<2>;
     /// Adds a curve to a figure. A curve that arcs cannot approximate is left out, as on the screen.
@@ -77,6 +86,13 @@ impl Lens<2> for Field {
         is_drag(at, (x, y)).then(|| self.place(into((x, y), REACH)))
     }
 
+    fn nudged(&self, [x, y]: Point<2>, (right, up): (i32, i32), _: Option<usize>) -> Point<2> {
+        // What is in the field stays in it; the tip of a tangent may be outside.
+        let within =
+            |value: f64, by: i32, most: f64| (value + f64::from(by)).clamp(value.min(0.0), value.max(most));
+        [within(x, right, FIELD[0]), within(y, up, FIELD[1])]
+    }
+
     fn flat(&self, place: Point<2>) -> Point<2> {
         place
     }
@@ -125,6 +141,32 @@ impl Lens<3> for Viewer {
         let (x, y) = (x.clamp(area.x1, area.x2), y.clamp(area.y1, area.y2));
         let by = (x - held.pressed.0, y - held.pressed.1);
         is_drag((0, 0), by).then(|| self.look.dragged(held.from, by))
+    }
+
+    /// As far along the axis as its picture goes with the mouse.
+    fn dragged_along<H>(&self, held: &Held<H, 3>, (x, y): (i32, i32), axis: usize) -> Option<Point<3>> {
+        let area = field::PICTURE;
+        let (x, y) = (x.clamp(area.x1, area.x2), y.clamp(area.y1, area.y2));
+        let by =
+            [x - held.pressed.0, held.pressed.1 - y].map(|pixels| self.look.length_now(f64::from(pixels)));
+        let unit: Point<3> = std::array::from_fn(|d| if d == axis { 1.0 } else { 0.0 });
+        let [right, up] = self.look.view.place(unit);
+        let square = right * right + up * up;
+        // An axis that points at the viewer has no length in the picture.
+        if square < 0.01 {
+            return None;
+        }
+        let along = (by[0] * right + by[1] * up) / square;
+        Some(std::array::from_fn(|d| if d == axis { (held.from[d] + along).round() } else { held.from[d] }))
+    }
+
+    fn nudged(&self, place: Point<3>, (right, up): (i32, i32), axis: Option<usize>) -> Point<3> {
+        match axis {
+            Some(axis) => {
+                std::array::from_fn(|d| place[d] + if d == axis { f64::from(right + up) } else { 0.0 })
+            }
+            None => self.look.dragged(place, (right, -up)),
+        }
     }
 
     fn flat(&self, place: Point<3>) -> Point<2> {

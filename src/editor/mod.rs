@@ -7,9 +7,11 @@
 //!
 //! Crafts live here where several programs share one, else with their program.
 
+pub(crate) mod comb;
 pub mod curve;
 pub(crate) mod field;
 pub mod fourier;
+mod hand;
 pub mod keys;
 pub(crate) mod lens;
 pub mod net;
@@ -27,6 +29,8 @@ use crate::ui::words::Phrase;
 use crate::ui::{Commands, Desk, DoubleClick, Hint, Manual, Start, Stay};
 use crate::work::{self, History, Next, Work, common_key, event};
 use field::PICTURE;
+pub(crate) use hand::Dial;
+use hand::Turning;
 use lens::{Held, Lens};
 use seen::Item;
 use serde::Serialize;
@@ -136,6 +140,19 @@ pub(crate) trait Craft<const D: usize>: Sized + 'static {
     fn value_at(_: &Editor<Self, D>, _: (i32, i32)) -> Option<Self::Action> {
         None
     }
+    /// The potentiometers of its parameters, in the manner of today.
+    fn dials(_: &Editor<Self, D>) -> Vec<Dial> {
+        Vec::new()
+    }
+    /// The value with the parameter of a potentiometer changed.
+    fn dialled(editor: &Editor<Self, D>, _dial: usize, _to: f64) -> Self::Value {
+        editor.history.now().clone()
+    }
+    /// The handles that Tab goes through, in the manner of today.
+    fn handles(_: &Editor<Self, D>) -> Vec<Self::Handle> {
+        Vec::new()
+    }
+
     /// Carries out a command.
     async fn obey(editor: &mut Editor<Self, D>, desk: &mut Desk<'_>, action: Self::Action) -> Asked<Next>;
     /// Called after undo and redo, and when a change outdates what is shown.
@@ -183,6 +200,13 @@ pub(crate) struct Editor<C: Craft<D>, const D: usize> {
     pub(crate) remark: Option<Phrase>,
     pub(crate) manner: Manner,
     pub(crate) clicks: DoubleClick,
+    /// Where the mouse is.
+    pub(crate) mouse: (i32, i32),
+    /// The handle that Tab has chosen, which the arrows move.
+    pub(crate) picked: Option<C::Handle>,
+    /// The axis of space that a handle keeps to.
+    pub(crate) axis: Option<usize>,
+    pub(crate) turning: Turning,
 }
 
 /// Prepares an editor, with or without a document to open.
@@ -261,6 +285,7 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         self.behave(desk.machine.manner());
         self.held = None;
+        self.let_hand_go();
         self.lens.stop();
         if let Some(remark) = self.remark.take() {
             desk.tell(remark, Stay::UntilRead);
@@ -273,6 +298,10 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
                 return Ok(Next::End);
             }
             let tick = event(self, desk).await?;
+            self.mouse = (tick.mouse.x, tick.mouse.y);
+            if self.held.is_none() && self.turns_by_hand(desk, &tick) {
+                continue;
+            }
             if self.held.is_some() {
                 self.drag(desk, &tick).await.unless_cancelled()?;
             } else if C::attended(self, desk, &tick)
@@ -306,6 +335,10 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
             remark: None,
             manner: Manner::default(),
             clicks: DoubleClick::default(),
+            mouse: (-1, -1),
+            picked: None,
+            axis: None,
+            turning: Turning::default(),
         }
     }
 
@@ -327,6 +360,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         self.lens = self.craft.lens();
         self.held = None;
         self.remark = None;
+        self.let_hand_go();
         C::forget(self);
         self.shown.take(self.craft.names_shape(self.history.now()));
     }
@@ -356,15 +390,19 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         let Some(mut held) = self.held else { return Ok(()) };
         match tick.event {
             Some(Event::Move(..)) => {
-                held.at = C::dragged(self, &held, (tick.mouse.x, tick.mouse.y)).unwrap_or(held.at);
+                held.at = self.dragged_to(&held).unwrap_or(held.at);
+                self.held = Some(held);
+            }
+            Some(Event::Key(key)) if self.keeps_axis(key) => {
+                held.at = self.dragged_to(&held).unwrap_or(held.at);
                 self.held = Some(held);
             }
             Some(Event::Release(Button::Left)) => {
                 let moved = self.preview();
-                self.held = None;
+                (self.held, self.axis) = (None, None);
                 return C::dropped(self, desk, held, moved).await;
             }
-            Some(Event::Key(Key::Esc)) => self.held = None,
+            Some(Event::Key(Key::Esc)) => (self.held, self.axis) = (None, None),
             _ => {}
         }
         Ok(())
@@ -373,7 +411,11 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
     /// The value with the held handle dropped at the mouse.
     pub(crate) fn preview(&self) -> C::Value {
         let now = self.history.now();
-        self.held.map_or_else(|| now.clone(), |held| C::moved(now, held.handle, held.at))
+        match (self.held, self.turning.held) {
+            (Some(held), _) => C::moved(now, held.handle, held.at),
+            (None, Some((dial, to))) => C::dialled(self, dial, to),
+            (None, None) => now.clone(),
+        }
     }
 
     /// Sets parameters. If they have no curve or surface, it says so and keeps them nevertheless.

@@ -25,13 +25,15 @@ pub(crate) enum Item<const D: usize> {
     Knot { at: Point<D>, fill: Color },
     /// A line of a net; white ones are borders of the surface.
     Line { ends: [Point<D>; 2], ink: Color },
+    /// A short text beside a place.
+    Note { at: Point<D>, text: String, ink: Color },
     /// An item of one editor only.
     Own(Box<dyn Own<D>>),
 }
 
 /// The name of a curve, and where along the curve it would best be written.
 pub(crate) struct Label {
-    pub(crate) name: &'static str,
+    pub(crate) name: String,
     /// The fraction of the curve: numerator and denominator.
     pub(crate) part: [usize; 2],
 }
@@ -88,6 +90,13 @@ impl<const D: usize> Item<D> {
                 let [(x1, y1), (x2, y2)] = ends.map(|end| lens.pixel(end));
                 screen.line(x1, y1, x2, y2, Stroke::thin(*ink));
             }
+            Item::Note { at, text, ink } => {
+                let (x, y) = lens.pixel(*at);
+                let width = 8 * i32::try_from(text.chars().count()).unwrap_or(0);
+                // Beside the disc of a control point.
+                screen.bar(x + 11, y - 17, x + 12 + width, y - 8, Color::Black);
+                screen.text(x + 12, y - 16, text, *ink);
+            }
             Item::Own(own) => own.paint(screen),
         }
     }
@@ -103,7 +112,7 @@ impl<const D: usize> Item<D> {
                     let from_part =
                         arcs.iter().cycle().skip(numerator * arcs.len() / denominator).take(arcs.len());
                     let places = from_part.step_by(step).map(|arc| lens.flat(arc.eval(0.5)));
-                    figure.name(places.collect(), *name, ink);
+                    figure.name(places.collect(), name.clone(), ink);
                 }
                 lens.plot(figure, &**curve, ink);
             }
@@ -121,6 +130,7 @@ impl<const D: usize> Item<D> {
                     _ => figure.plot_polygon(line, Closure::Open),
                 }
             }
+            Item::Note { at, text, .. } => figure.text(lens.flat(*at), text.clone()),
             Item::Stored { .. } => {}
             Item::Own(own) => return own.plot(figure),
         }
@@ -132,7 +142,11 @@ impl<const D: usize> Item<D> {
             Item::Curve { curve, .. } => curve.bounding_box(),
             Item::Disc { at, .. } | Item::Dot(at) | Item::Knot { at, .. } => Some(BoundingBox::of_point(*at)),
             Item::Own(own) => own.bounds(),
-            Item::Joint(_) | Item::Tangent { .. } | Item::Stored { .. } | Item::Line { .. } => None,
+            Item::Joint(_)
+            | Item::Tangent { .. }
+            | Item::Stored { .. }
+            | Item::Line { .. }
+            | Item::Note { .. } => None,
         }
     }
 }

@@ -270,7 +270,8 @@ impl Desk<'_> {
         self.choose_or(picture, choices, None).await
     }
 
-    /// Like [`Desk::choose`]; Enter gives the default answer, if any.
+    /// Like [`Desk::choose`]; Enter gives the default answer, if any. In the manner of today Tab and the arrows make
+    /// another answer the default.
     ///
     /// # Errors
     /// [`Stop`]: Esc, or the display is being closed.
@@ -282,7 +283,7 @@ impl Desk<'_> {
     ) -> Asked<T> {
         let strip = self.strip(choices.place);
         let first = choices.answers.first().map(|&(.., meaning)| meaning);
-        let default = default.or(first.filter(|_| strip.is_some()));
+        let mut default = default.or(first.filter(|_| strip.is_some()));
         loop {
             let page = Over::new(picture, |screen: &mut Screen, language: Language| {
                 choices.draw_with(default, screen, language);
@@ -291,6 +292,14 @@ impl Desk<'_> {
             let tick = self.event(&page).await?;
             if Strip::cancels(strip.as_ref(), &tick) {
                 return Err(Stop::Cancelled);
+            }
+            if strip.is_some() && matches!(tick.key(), Some(Key::Tab | Key::Right | Key::Left)) {
+                // The answer that Enter gives is another one (1.5.3).
+                let count = choices.answers.len().max(1);
+                let now = choices.answers.iter().position(|&(.., meaning)| default == Some(meaning));
+                let step = if tick.pressed(Key::Left) { count - 1 } else { 1 };
+                let next = now.map_or(0, |now| (now + step) % count);
+                default = choices.answers.get(next).map(|&(.., meaning)| meaning);
             }
             let entered = default.filter(|_| tick.pressed(Key::Enter));
             if let Some(meaning) = entered.or(choices.answer(&tick, self.machine.language()).copied()) {

@@ -1,10 +1,11 @@
-//! The help page: what a program is for, its keys, and the explanation of its subject.
+//! The help page: what a program is for, its keys, and the explanation of its subject; then what its picture shows.
 //!
-//! Where a mouse points, all of it stands on one page. Where keys do, in a terminal, the page also names those keys, and
-//! is given in parts of no more lines than a small terminal has rows.
+//! Where a mouse points, each of both is one page. Where keys do, in a terminal, the page also names those keys, and is
+//! given in parts of no more lines than a small terminal has rows.
 
 use super::desk::{Desk, KeyHelp, Manual};
 use super::lesson::{self, Lesson};
+use super::seen::{self, Paragraph};
 use super::words::{self, Words};
 use crate::figure::wrap;
 use crate::machine::{Asked, Key, Language, POINTER_KEYS, Pointing};
@@ -63,6 +64,9 @@ const INTRO_LETTERS: usize = 70;
 /// Left edge of the help page's texts, and of what its keys do.
 const COLUMNS: [i32; 2] = [40, 176];
 
+/// Height of a line of the page about the picture.
+const SEEN_LINE: i32 = 14;
+
 /// Where the last line of the help page stands.
 const LEAVE_TOP: i32 = HEIGHT - 40;
 
@@ -102,8 +106,9 @@ impl Page {
 fn pages(manual: &Manual, language: Language, pointing: Pointing) -> Vec<Page> {
     match pointing {
         Pointing::Mouse => {
-            let (texts, top) = whole(manual, language);
-            vec![Page { texts, lesson: Some(top) }]
+            let seen = seen_page(manual, language);
+            let (texts, top) = whole(manual, language, leave(seen.is_none()));
+            std::iter::once(Page { texts, lesson: Some(top) }).chain(seen).collect()
         }
         Pointing::Keys => parts(manual, language),
     }
@@ -122,8 +127,50 @@ fn intro(manual: &Manual, language: Language) -> impl Iterator<Item = String> {
     wrap(manual.intro.of(language), INTRO_LETTERS).into_iter().filter(|line| !line.is_empty())
 }
 
-/// The texts of the one page, and where the lesson begins.
-fn whole(manual: &Manual, language: Language) -> (Vec<Placed>, i32) {
+/// What the last line of a page says.
+fn leave(last: bool) -> Words {
+    if last { words::HELP_LEAVE } else { words::HELP_TURN }
+}
+
+/// The lines that tell what a program's picture shows, with a blank one between paragraphs.
+fn seen_lines(manual: &Manual, language: Language, letters: usize) -> Vec<(String, Color)> {
+    let mut lines: Vec<(String, Color)> = Vec::new();
+    let mut formula = false;
+    for paragraph in seen::paragraphs(manual.name, language) {
+        let follows = matches!(paragraph, Paragraph::Formula(_)) && formula;
+        if !lines.is_empty() && !follows {
+            lines.push((String::new(), Color::Black));
+        }
+        formula = matches!(paragraph, Paragraph::Formula(_));
+        let (text, color) = match &paragraph {
+            Paragraph::Text(text) => (text.as_str(), Color::LightCyan),
+            Paragraph::Try(text) => (text.as_str(), Color::Yellow),
+            // Its columns stay where there is room for them.
+            Paragraph::Formula(text) if text.chars().count() <= letters => {
+                lines.push(((*text).to_owned(), Color::White));
+                continue;
+            }
+            Paragraph::Formula(text) => (*text, Color::White),
+        };
+        lines.extend(wrap(text, letters).into_iter().map(|line| (line, color)));
+    }
+    lines
+}
+
+/// The page about a program's picture, if there is something to tell.
+fn seen_page(manual: &Manual, language: Language) -> Option<Page> {
+    let [left, _] = COLUMNS;
+    let lines = seen_lines(manual, language, INTRO_LETTERS);
+    let last = ((left, LEAVE_TOP), words::HELP_LEAVE.of(language).to_owned(), Color::LightGray);
+    let title = ((left, TOP), manual.name.to_uppercase(), Color::Yellow);
+    let placed = (INTRO_TOP..).step_by(SEEN_LINE as usize).zip(lines);
+    let texts = placed.map(|(y, (line, color))| ((left, y), line, color));
+    let texts: Vec<Placed> = [title, last].into_iter().chain(texts).collect();
+    (texts.len() > 2).then_some(Page { texts, lesson: None })
+}
+
+/// The texts of the first page, and where the lesson begins.
+fn whole(manual: &Manual, language: Language, leave: Words) -> (Vec<Placed>, i32) {
     let [left, right] = COLUMNS;
     let mut texts = vec![
         ((left, TOP), manual.name.to_uppercase(), Color::Yellow),
@@ -145,7 +192,7 @@ fn whole(manual: &Manual, language: Language) -> (Vec<Placed>, i32) {
         texts.push(((right, y), what.of(language).to_owned(), Color::White));
         y += line;
     }
-    texts.push(((left, LEAVE_TOP), words::HELP_LEAVE.of(language).to_owned(), Color::LightGray));
+    texts.push(((left, LEAVE_TOP), leave.of(language).to_owned(), Color::LightGray));
     (texts, y + 8)
 }
 
@@ -192,13 +239,14 @@ fn parts(manual: &Manual, language: Language) -> Vec<Page> {
         sections.push(told.flatten().collect());
     }
     sections.push(lines);
+    let seen = seen_lines(manual, language, LETTERS[0]).into_iter();
+    sections.push(seen.map(|(text, color)| Line::Text(text, color)).collect());
     let chunks: Vec<&[Line]> = sections.iter().flat_map(|lines| lines.chunks(LINES)).collect();
     let count = chunks.len() + usize::from(tables);
     let page = |number: usize| {
         let title = format!("{} {number}/{count}", manual.name.to_uppercase());
-        let last = if number == count { words::HELP_LEAVE } else { words::HELP_TURN };
         let [left, _] = COLUMNS;
-        let last = ((left, LEAVE_TOP), last.of(language).to_owned(), Color::LightGray);
+        let last = ((left, LEAVE_TOP), leave(number == count).of(language).to_owned(), Color::LightGray);
         vec![((left, TOP), title, Color::Yellow), last]
     };
     let mut pages: Vec<Page> = Vec::new();
@@ -224,12 +272,17 @@ fn parts(manual: &Manual, language: Language) -> Vec<Page> {
 
 #[cfg(test)]
 impl Manual {
+    /// Whether there is a page that tells what the program's picture shows.
+    pub(crate) fn tells_what_is_seen(&self, language: Language) -> bool {
+        seen_page(self, language).is_some()
+    }
+
     /// What does not fit on the help page in a language.
     pub(crate) fn misfits(&self, language: Language) -> Vec<String> {
         let [left, right] = COLUMNS;
         // The frame's inner edge.
         let edge = WIDTH - 17 - 4;
-        let (texts, top) = whole(self, language);
+        let (texts, top) = whole(self, language, words::HELP_TURN);
         let width = |text: &str| 8 * i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 8);
         let is_key = |color: &Color| *color == Color::LightRed;
         let beyond = texts
@@ -249,7 +302,12 @@ impl Manual {
             _ => None,
         });
         misfits.extend(lesson.filter(|text| left + width(text) > edge).map(str::to_owned));
-        let lines = parts(self, language).into_iter().flat_map(|page| page.texts);
+        let seen = seen_page(self, language);
+        let lowest = seen.iter().flat_map(|page| &page.texts[2..]).map(|((_, y), ..)| *y).max();
+        misfits.extend(
+            lowest.filter(|y| y + SEEN_LINE > LEAVE_TOP).map(|y| format!("the picture's page ends at {y}")),
+        );
+        let lines = parts(self, language).into_iter().chain(seen).flat_map(|page| page.texts);
         misfits.extend(lines.filter(|((x, _), text, _)| x + width(text) > edge).map(|(_, text, _)| text));
         if wrap(self.intro.of(language), INTRO_LETTERS).len() > INTRO_LINES {
             misfits.push(self.intro.of(language).to_owned());

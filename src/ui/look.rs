@@ -86,6 +86,11 @@ impl Look {
         self.unit * (f64::from(self.zoom) / f64::from(DOUBLING)).exp2()
     }
 
+    /// Units of length per pixel as it is zoomed.
+    pub(crate) fn length_now(self, pixels: f64) -> f64 {
+        pixels / self.scale()
+    }
+
     /// The pixel of a point.
     pub(crate) fn to_screen(self, point: Point<3>) -> (i32, i32) {
         let point = std::array::from_fn(|d| point[d] - self.middle[d]);

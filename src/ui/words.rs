@@ -181,13 +181,58 @@ pub(crate) const HELP_RESULT: Words =
     Words("eredmény: a görbe keret nélkül", "result: the curve alone, without the frame");
 pub(crate) const HELP_QUIT: Words =
     Words("mentés, kilépés, új konfiguráció", "save, quit, start or open another");
+pub(crate) const HELP_AIDS: Words =
+    Words("poligon és burok, súlyok, csatlakozások", "polygon and hull, weights, joints and comb");
+pub(crate) const HELP_PICK: Words =
+    Words("pont kiválasztása; a nyilak mozgatják", "choose a point; the arrows move it");
+pub(crate) const HELP_AXIS: Words =
+    Words("húzás közben: csak a tengely mentén", "while dragging: along that axis only");
+pub(crate) const HELP_DIAL: Words =
+    Words("az értékek élőben; görgő az értéken is", "values live; also the wheel over a value");
+pub(crate) const POLYGON_SHOWN: Words = Words("Karakterisztikus poligon", "Characteristic polygon");
+pub(crate) const HULL_SHOWN: Words = Words("Poligon és konvex burka", "Polygon and its convex hull");
+pub(crate) const POLYGON_HIDDEN: Words = Words("Poligon nélkül", "Without the polygon");
+pub(crate) const WEIGHTS_SHOWN: Words =
+    Words("Súlyok; az egér alatti ponté a görbén", "Weights; along the curve that of the point at the mouse");
+pub(crate) const WEIGHTS_HIDDEN: Words = Words("Súlyok nélkül", "Without weights");
+pub(crate) const NO_WEIGHTS: Words = Words(
+    "Itt nincsenek súlyok: a görbe nem lineáris a pontokban",
+    "No weights here: this curve is not linear in its points",
+);
+pub(crate) const JOINTS_SHOWN: Words =
+    Words("Szakaszok száma és csatlakozásuk", "Numbers of the spans, and how they join");
+pub(crate) const COMB_SHOWN: Words = Words("Görbületi fésű", "Comb of curvature");
+pub(crate) const JOINTS_HIDDEN: Words = Words("Csatlakozások és fésű nélkül", "Without joints and comb");
 pub(crate) const HELP_FOLLOW: Words = Words(
     "a görbe változtatás után is követi a pontokat: be, ki",
     "the curve stays and follows every change: on, off",
 );
+pub(crate) const HELP_SERIES: Words =
+    Words("egy paraméter több értéke együtt", "several values of a parameter together");
+pub(crate) const ASK_SERIES: Words = Words("Melyik paraméter?", "Which parameter?");
+pub(crate) const BIAS_ANSWER: Hot = Hot::new('A', " elt.", " bias");
+pub(crate) const TENSION_ANSWER: Hot = Hot::new('C', " fesz", " tens");
 pub(crate) const HELP_COMPARE: Words =
     Words("több eljárás görbéje együtt, színekkel", "compare methods: several curves, in colours");
 pub(crate) const HELP_SAVE: Words = Words("mentés", "save");
+
+/// Asks for values of a parameter.
+pub(crate) fn series_of(name: Words) -> Phrase {
+    let Words(hungarian, english) = name;
+    Phrase::new(format!("{hungarian}, pl. 0.5 1 2:"), format!("{english}, e.g. 0.5 1 2:"))
+}
+pub(crate) fn wrong_value(word: &str, low: f64, high: f64) -> Phrase {
+    Phrase::new(
+        format!("\"{word}\" nem {low} és {high} közötti szám"),
+        format!("\"{word}\" is no number from {low} to {high}"),
+    )
+}
+pub(crate) fn too_many_values(count: usize, most: usize) -> Phrase {
+    Phrase::new(
+        format!("{count} érték túl sok: legfeljebb {most}"),
+        format!("{count} values are too many: {most} at most"),
+    )
+}
 
 // Short messages of the plane editor: 28 letters fit on the communication page.
 pub(crate) const FULL: Words = Words("Több pont nem fér el (99)", "No more than 99 points");
@@ -200,7 +245,7 @@ pub const NO_UNDO: Words = Words("Nincs mit visszavonni", "Nothing to undo");
 pub const NO_REDO: Words = Words("Nincs mit újra elvégezni", "Nothing to redo");
 pub(crate) const FOLLOWS: Words = Words("A görbe követi a pontokat", "The curve follows the points");
 pub(crate) const FOLLOWS_NOT: Words = Words("Csak húzáskor követ", "Follows only while dragging");
-pub(crate) const ENTER_BACK: Words = Words("Enter - vissza", "Enter - back");
+pub(crate) const ENTER_ONLY: Words = Words("Enter", "Enter");
 pub(crate) const WRONG_CONTENT: Words = Words(
     "Ebben a fájlban nem síkbeli kontrollpontok vannak",
     "This file holds no control points in the plane",
@@ -864,7 +909,6 @@ mod tests {
             NO_REDO,
             FOLLOWS,
             FOLLOWS_NOT,
-            ENTER_BACK,
             TAKE_OVER,
             NO_SURFACE,
             SURFACE_FOLLOWS,

@@ -40,6 +40,13 @@ impl<T: Clone + PartialEq> History<T> {
         }
     }
 
+    /// Replaces the present value by one that belongs to the same change, so that one undo takes both back.
+    pub fn amend(&mut self, value: T) {
+        self.now = value;
+        self.future.clear();
+        self.touched = true;
+    }
+
     /// Undoes one change; returns whether there was one.
     pub fn undo(&mut self) -> bool {
         self.touched = true;

@@ -13,9 +13,9 @@ pub(in crate::editor) const BIAS: RangeInclusive<f64> = 0.05..=20.0;
 pub(in crate::editor) const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// Where the two values stand, and how many letters they have room for.
-const BIAS_AT: (i32, i32) = (20, 5);
-const TENSION_AT: (i32, i32) = (35, 40);
-const ROOM: i32 = 20;
+pub(super) const BIAS_AT: (i32, i32) = (20, 5);
+pub(super) const TENSION_AT: (i32, i32) = (35, 40);
+pub(super) const ROOM: i32 = 20;
 
 /// Which of the two values, bias and tension, is shown at a pixel.
 pub(in crate::editor) fn value_at<T>((x, y): (i32, i32), [bias, tension]: [T; 2]) -> Option<T> {

@@ -16,8 +16,8 @@ use crate::work::{Next, quit};
 use serde::Serialize;
 
 /// Where the coefficient of the tangents is shown: on the page, and left of it where tangents can be set.
-const NOTE_AT: (i32, i32) = (262, 23);
-const TANGENTS_NOTE_AT: (i32, i32) = (65, 43);
+pub(super) const NOTE_AT: (i32, i32) = (262, 23);
+pub(super) const TANGENTS_NOTE_AT: (i32, i32) = (65, 43);
 
 /// The coefficient of the tangents as it is shown.
 pub(super) fn k0_note(k0: f64) -> String {
@@ -52,9 +52,13 @@ where
             Action::K0 => self.change_k0(desk).await?,
             Action::Follow => self.toggle_follow(desk),
             Action::Compare => self.compare(desk).await?,
+            Action::Series => self.ask_series(desk).await?,
             Action::Workshop => self.open_workshop(desk).await?,
             Action::ShapeJoint => self.change_joint(desk).await?,
             Action::JointsAlike => self.make_joints_alike(desk),
+            Action::Polygon => self.switch_polygon(desk),
+            Action::Weights => self.switch_weights(desk),
+            Action::Contacts => self.switch_joints(desk),
             Action::Own(command) => return self.obey_layer(desk, command).await,
             Action::Quit => {
                 let next = quit(self, desk).await?;
@@ -124,7 +128,8 @@ where
             Tools::Own => return None,
             Tools::Beta => return beta::value_at(at, [Action::Bias, Action::Tension]),
         };
-        let letters = i32::try_from(self.craft.note.as_ref()?.chars().count()).ok()?;
+        let live = self.shows_k0().then(|| k0_note(self.history.now().k0()));
+        let letters = i32::try_from(live.as_ref().or(self.craft.note.as_ref())?.chars().count()).ok()?;
         Area::of_line(note, letters).holds(at.0, at.1).then_some(Action::K0)
     }
 
@@ -138,7 +143,9 @@ where
 
     /// Draws what is shown on the communication page and to its left.
     pub(super) fn draw_titles(&self, page: &mut Page<'_>) {
-        let note = self.craft.note.as_deref().unwrap_or("");
+        let live = self.shows_k0() || (self.craft.tools == Tools::Tangents && self.has_automatic_tangents());
+        let live = live.then(|| k0_note(self.preview().k0()));
+        let note = live.as_deref().or(self.craft.note.as_deref()).unwrap_or("");
         let language = page.language;
         match self.craft.tools {
             Tools::Methods => {
@@ -146,9 +153,6 @@ where
                 let color = if chosen { Color::LightMagenta } else { Color::Black };
                 page.screen.text(28, 5, words::METHOD_TITLE.of(language), color);
                 page.screen.text(NOTE_AT.0, NOTE_AT.1, note, Color::Black);
-                if note.is_empty() {
-                    self.draw_names(page, (216, 10), Color::Black);
-                }
                 METHODS.iter().for_each(|button| button.draw(page.screen, language));
             }
             Tools::Tangents => {
@@ -157,7 +161,11 @@ where
                 page.screen.text(TANGENTS_NOTE_AT.0, TANGENTS_NOTE_AT.1, note, Color::Black);
             }
             Tools::Own => self.paint_layer(Part::Titles, page),
-            Tools::Beta => beta::draw_values(page.screen, self.history.now().shape(), language),
+            Tools::Beta => beta::draw_values(page.screen, self.shape_turned(&self.preview()), language),
         }
+        if self.craft.tools != Tools::Methods || note.is_empty() {
+            self.draw_names(page, (216, 10), Color::Black);
+        }
+        self.draw_dials(page);
     }
 }

@@ -64,7 +64,10 @@ where
                     screen.text(x, y, &(index + 1).to_string(), Color::Red);
                     screen.text(x + 34, y, name, Color::Black);
                 }
-                screen.text(332, 35, words::ENTER_BACK.of(language), Color::Black);
+                let (x, y) = place(Kind::ALL.len() as i32);
+                screen.text(x, y, "6", Color::Red);
+                screen.text(x + 34, y, "k0", Color::Black);
+                screen.text(x + 68, y, words::ENTER_ONLY.of(language), Color::Blue);
             });
             let tick = desk.event(&page).await?;
             let clicked = tick.click().and_then(|(x, y)| {
@@ -73,6 +76,13 @@ where
                     Area::new(left - 2, top - 3, left + 112, top + 10).holds(x, y)
                 })
             });
+            let series = tick.click().is_some_and(|(x, y)| {
+                let (left, top) = place(Kind::ALL.len() as i32);
+                Area::new(left - 2, top - 3, left + 60, top + 10).holds(x, y)
+            });
+            if series || tick.letter() == Some('6') {
+                return self.ask_series(desk).await;
+            }
             let typed = tick
                 .letter()
                 .and_then(|letter| letter.to_digit(10))

@@ -3,6 +3,7 @@
 //!
 //! Five programs are this editor with [`Tools`] of their own. In the plane new points are dragged out of a store.
 
+mod aids;
 pub(crate) mod ask;
 pub(super) mod beta;
 mod commands;
@@ -10,6 +11,8 @@ mod compare;
 mod joints;
 pub mod layer;
 pub(crate) mod points;
+mod readout;
+mod series;
 mod tables;
 mod tangents;
 mod workshop;
@@ -22,7 +25,7 @@ use super::picture::{Layer as Part, Page};
 use super::refusal;
 use super::seen::{Item, TIP_RADIUS};
 use super::stage::Stage;
-use super::{Craft, Editor};
+use super::{Craft, Dial, Editor};
 use crate::design::{Edit, Place, Sketch};
 use crate::file::{Document, FIELD, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
 use crate::geometry::{Closure, Point};
@@ -110,8 +113,12 @@ struct Curves<const D: usize> {
     usual: Option<Method>,
     /// Curves that are shown besides the chosen one.
     compared: Vec<Kind>,
+    /// Values of a parameter whose curves are shown besides.
+    series: Option<series::Series>,
     /// Whether the points are shown as measured ones: open, without the chosen curve.
     measured: bool,
+    /// What shows how the curve comes from its points.
+    aids: aids::Aids,
     /// The point being changed.
     pointed_out: Option<usize>,
     /// The remark about the last choice, shown until the next question.
@@ -128,7 +135,9 @@ impl<const D: usize> Curves<D> {
             layer: None,
             usual: None,
             compared: Vec::new(),
+            series: None,
             measured: false,
+            aids: aids::Aids::default(),
             pointed_out: None,
             note: None,
             offer: None,
@@ -203,6 +212,12 @@ struct Model<P> {
     k0: f64,
     visible: bool,
     compared: Vec<Kind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    series: Option<series::Series>,
+    #[serde(skip_serializing_if = "aids::Aids::none")]
+    aids: aids::Aids,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    chosen: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     own: Option<serde_json::Value>,
     unsaved: bool,
@@ -333,6 +348,9 @@ where
             k0: sketch.k0(),
             visible: editor.shown.visible,
             compared: editor.craft.compared.clone(),
+            series: editor.craft.series.clone(),
+            aids: editor.craft.aids,
+            chosen: editor.picked.and_then(readout::name),
             own: editor.craft.layer.as_ref().map(|layer| layer.model(&editor.scene())),
             unsaved: editor.history.unsaved(),
             azimuth,
@@ -387,6 +405,7 @@ where
 
     fn seen(editor: &Editor<Self, D>) -> Vec<Item<D>> {
         let mut items = editor.layer_traces();
+        editor.add_aids(&mut items);
         items.extend(editor.curves_seen());
         editor.add_points(&mut items);
         items
@@ -410,6 +429,23 @@ where
 
     fn taken_up(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Held<Handle, D>> {
         editor.new_point(at)
+    }
+
+    fn dials(editor: &Editor<Self, D>) -> Vec<Dial> {
+        editor.value_dials()
+    }
+
+    fn dialled(editor: &Editor<Self, D>, dial: usize, to: f64) -> Sketch<D> {
+        editor.with_dial(dial, to)
+    }
+
+    /// The points, each followed by the tip of its tangent.
+    fn handles(editor: &Editor<Self, D>) -> Vec<Handle> {
+        let of_point = |index| {
+            let tip = editor.tip(index).map(|_| Handle::Tip(index));
+            std::iter::once(Handle::Point(index)).chain(tip)
+        };
+        (0..editor.count()).flat_map(of_point).collect()
     }
 
     fn value_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Action> {
@@ -488,12 +524,21 @@ where
 
     fn draw(editor: &Editor<Self, D>, layer: Part, page: &mut Page<'_>) {
         match layer {
-            Part::Over if editor.craft.layer.is_some() => editor.paint_layer(layer, page),
-            Part::Over => editor.draw_joint_shapes(page),
+            Part::Over if editor.craft.layer.is_some() => {
+                editor.paint_layer(layer, page);
+                editor.draw_weights(page);
+            }
+            Part::Over => {
+                editor.draw_joint_shapes(page);
+                editor.draw_weights(page);
+            }
             Part::Titles => editor.draw_titles(page),
             Part::Legend if editor.craft.layer.is_some() => editor.paint_layer(layer, page),
             Part::Legend => editor.draw_names(page, (400, 5), Color::LightGray),
             _ => {
+                if layer == Part::Frame {
+                    editor.draw_readout(page);
+                }
                 <Self as Ambient<D>>::draw(editor, layer, page);
                 editor.paint_layer(layer, page);
             }
@@ -617,16 +662,5 @@ impl Ambient<3> for Curves<3> {
         Some(lens.look.angles())
     }
 
-    /// The line under the picture: the place of the point being dragged or changed.
-    fn draw(editor: &Editor<Curves<3>, 3>, layer: Part, page: &mut Page<'_>) {
-        let held = editor.held.map(|held| held.handle);
-        let (Part::Frame, Some(Handle::Point(index))) =
-            (layer, held.or(editor.craft.pointed_out.map(Handle::Point)))
-        else {
-            return;
-        };
-        if let Some(&place) = editor.preview().points.get(index) {
-            page.screen.text(130, 470, words::place_of(index + 1, place).of(page.language), Color::Black);
-        }
-    }
+    fn draw(_: &Editor<Curves<3>, 3>, _: Part, _: &mut Page<'_>) {}
 }

@@ -1,11 +1,10 @@
 //! The control points and curves in the picture, and the commands that change points by their numbers.
 
 use super::ask::{FEWEST, ask_existing, ask_index};
-use super::compare::Kind;
+use super::series::Beside;
 use super::{Ambient, Curves, Handle, Tools, steps};
 use crate::design::{Edit, Place, Sketch};
 use crate::editor::lens::{Held, Lens};
-use crate::editor::picture::Page;
 use crate::editor::seen::{Item, Label};
 use crate::editor::stage::Stage;
 use crate::editor::{Craft, Editor, place};
@@ -83,7 +82,11 @@ where
 
     /// What can be done now.
     pub(super) fn hint(&self) -> Option<Hint> {
-        if self.craft.note.is_some() || !self.craft.compared.is_empty() {
+        if self.craft.note.is_some()
+            || self.shows_k0()
+            || !self.craft.compared.is_empty()
+            || self.craft.series.is_some()
+        {
             return None;
         }
         if let Some(layer) = self.craft.layer.as_ref().filter(|_| self.count() >= self.fewest()) {
@@ -129,22 +132,20 @@ where
     /// The compared curves and the chosen one, with the joints of beta-splines.
     pub(super) fn curves_seen(&self) -> Vec<Item<D>> {
         let (mut items, sketch, result) = (Vec::new(), self.drawn(), self.stage.is_result());
-        let mut open = self.preview();
-        open.settings.closed = open.settings.closed.filter(|_| !self.craft.measured);
         let live = Curves::<D>::LIVE && self.held.is_some() && self.shown.known;
         let shown = (self.shown.visible || live || result) && !self.craft.measured;
         let present = sketch.method().filter(|_| shown).zip(sketch.curve().ok());
         let method = present.as_ref().map(|(method, _)| *method);
-        let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
-        for (index, (kind, name, color)) in compared.enumerate() {
+        let beside = self.beside();
+        for (index, Beside { sketch, method: of, name, ink }) in beside.iter().enumerate() {
             // A curve that does not exist is skipped; the user was told when choosing it. Each name is at another
             // fraction of its curve, so that the names stand apart.
-            if let Ok(curve) = open.by(kind.method()).curve() {
-                let name = Some(Label { name, part: [2 * index + 1, 2 * Kind::ALL.len()] });
+            if let Ok(curve) = sketch.curve() {
+                let name = Some(Label { name: name.clone(), part: [2 * index + 1, 2 * beside.len().max(5)] });
                 // The present curve shows on both sides of its like.
-                let alike = method == Some(kind.method());
-                let stroke = if alike { Stroke::thin(color) } else { Stroke::thick(color) };
-                items.push(Item::Curve { curve, steps: steps(kind.method()), stroke, name });
+                let alike = method == Some(*of) && present.is_some();
+                let stroke = if alike { Stroke::thin(*ink) } else { Stroke::thick(*ink) };
+                items.push(Item::Curve { curve, steps: steps(*of), stroke, name });
             }
         }
         let Some((method, curve)) = present else { return items };
@@ -178,7 +179,7 @@ where
             let Some(&at) = points.get(index) else { continue };
             items.push(match dots {
                 true => Item::Dot(at),
-                false => Item::Disc { at, number: index + 1, fill: Curves::<D>::FILL },
+                false => Item::Disc { at, number: index + 1, fill: self.fill_of(index) },
             });
         }
         if let Some((Handle::New(index), at)) = self.held.map(|held| (held.handle, held.at)) {
@@ -193,6 +194,12 @@ where
                 at => Item::Stored { at: at.unwrap_or(store), number, fill: Curves::<D>::FILL },
             });
         }
+    }
+
+    /// The colour of a point's disc: red for the one that the arrows move.
+    fn fill_of(&self, index: usize) -> Color {
+        let picked = [Handle::Point(index), Handle::Tip(index)].map(Some).contains(&self.picked);
+        if picked { Color::Red } else { Curves::<D>::FILL }
     }
 
     /// The command B: a new point with a number and a place.
@@ -249,16 +256,6 @@ where
         let index = ask_existing(desk, self, self.count()).await?;
         self.change(self.history.now().edited(Edit::Delete(index)));
         Ok(())
-    }
-
-    /// The names of the compared curves in their colours, two to a line.
-    pub(super) fn draw_names(&self, page: &mut Page<'_>, (x, y): (i32, i32), ink: Color) {
-        let compared = Kind::ALL.into_iter().filter(|(kind, ..)| self.craft.compared.contains(kind));
-        for (place, (_, name, color)) in (0..).zip(compared) {
-            let (x, y) = (x + 116 * (place % 2), y + 11 * (place / 2));
-            page.screen.bar(x, y, x + 12, y + 7, color);
-            page.screen.text(x + 18, y, name, ink);
-        }
     }
 }
 

@@ -32,12 +32,20 @@ pub enum Action {
     Follow,
     /// Curves of several methods together.
     Compare,
+    /// Curves of several values of a parameter together.
+    Series,
     /// The workshop of measured points.
     Workshop,
     /// The shape of one joint.
     ShapeJoint,
     /// All joints alike.
     JointsAlike,
+    /// The characteristic polygon and its hull.
+    Polygon,
+    /// The weights of the points.
+    Weights,
+    /// The joints with their continuity, and the comb of curvature.
+    Contacts,
     /// A command of the program's own layer.
     Own(u8),
 }
@@ -85,9 +93,17 @@ const LEAVE: Row = Command::button(Button::new(550, 38, words::QUIT), QUIT, Acti
 const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_FOLLOW), Action::Follow);
 const COMPARE: Row =
     Command::key(Key::F(4), (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE), Action::Compare);
+const SERIES: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_SERIES), Action::Series);
 const WORKSHOP: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_WORKSHOP), Action::Workshop);
 const JOINT: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_JOINTS), Action::ShapeJoint);
 const ALIKE: Row = Command::key(Key::F(6), (Words("F6", "F6"), words::HELP_JOINTS_OFF), Action::JointsAlike);
+const POLYGON: Row =
+    Command::key(Key::Char('K'), (Words("K W J", "K W J"), words::HELP_AIDS), Action::Polygon);
+const WEIGHTS: Row = Command::also(Key::Char('W'), Action::Weights);
+const CONTACTS: Row = Command::also(Key::Char('J'), Action::Contacts);
+const PICK: Row = Command::told((Words("Tab", "Tab"), words::HELP_PICK));
+const AXIS: Row = Command::told((Words("X Y Z", "X Y Z"), words::HELP_AXIS));
+const DIAL: Row = Command::told((Words("PgUp PgDn", "PgUp PgDn"), words::HELP_DIAL));
 const STORE: Row = Command::told(SAVE);
 const BACK: Row = Command::told(UNDO);
 const TURN: [Row; 4] =
@@ -115,6 +131,11 @@ pub(super) const METHODS: Commands<Action> = Commands(&[
     FOLLOW,
     COMPARE,
     WORKSHOP,
+    POLYGON,
+    WEIGHTS,
+    CONTACTS,
+    PICK,
+    DIAL,
     STORE,
     BACK,
 ]);
@@ -131,6 +152,12 @@ pub(super) const TANGENTS: Commands<Action> = Commands(&[
     RESULT,
     LEAVE,
     FOLLOW,
+    SERIES,
+    POLYGON,
+    WEIGHTS,
+    CONTACTS,
+    PICK,
+    DIAL,
     STORE,
     BACK,
 ]);
@@ -148,8 +175,14 @@ pub(super) const BETA: Commands<Action> = Commands(&[
     RESULT,
     LEAVE,
     FOLLOW,
+    SERIES,
     JOINT,
     ALIKE,
+    POLYGON,
+    WEIGHTS,
+    CONTACTS,
+    PICK,
+    DIAL,
     STORE,
     BACK,
 ]);
@@ -171,6 +204,12 @@ pub(super) const SPACE_METHODS: Commands<Action> = Commands(&[
     FOLLOW,
     COMPARE,
     WORKSHOP,
+    POLYGON,
+    WEIGHTS,
+    CONTACTS,
+    PICK,
+    AXIS,
+    DIAL,
     STORE,
     BACK,
 ]);
@@ -192,6 +231,13 @@ pub(super) const SPACE_BETA: Commands<Action> = Commands(&[
     TURN[2],
     TURN[3],
     FOLLOW,
+    SERIES,
+    POLYGON,
+    WEIGHTS,
+    CONTACTS,
+    PICK,
+    AXIS,
+    DIAL,
     STORE,
     BACK,
 ]);
@@ -226,6 +272,10 @@ pub mod rows {
     pub const LEAVE: Row = super::LEAVE;
     /// The key F3.
     pub const FOLLOW: Row = super::FOLLOW;
+    /// Tab and the arrows.
+    pub const PICK: Row = super::PICK;
+    /// The axes of space.
+    pub const AXIS: Row = super::AXIS;
     /// Saving.
     pub const SAVE: Row = super::STORE;
     /// Undo and redo.

@@ -1,0 +1,180 @@
+//! The editors in the manner of today by keys, wheel and potentiometers, and the aids that show how a curve comes from
+//! its points.
+
+mod common;
+
+use common::{Kept, SharedDisk, pictures, session};
+use grafika::machine::{Script, Settings, Storage, play, sample};
+use grafika::programs::{gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip};
+use grafika::ui::Program;
+use serde_json::{Value, json};
+
+/// Plays a script on a sample in the manner of today, and returns what it kept with the disk.
+fn played(program: Program, name: &str, script: &str) -> (Kept, SharedDisk) {
+    let mut disk = SharedDisk::default();
+    disk.write(name, sample(name).unwrap()).unwrap();
+    let stem = name.split('.').next().unwrap();
+    let script = format!("lang en\nmanner today\nkey T\ntype {stem}\nkey Enter\n{script}dump end.json\n");
+    let script = Script::parse(&script).unwrap();
+    let mut kept = Kept::default();
+    let mut session = session(program, disk.clone(), script.begun_with(Settings::default()));
+    play(&mut session, &script, &mut kept).unwrap();
+    (kept, disk)
+}
+
+fn model(program: Program, name: &str, script: &str) -> Value {
+    played(program, name, script).0.models["end.json"].clone()
+}
+
+const IP: Program = gb_2d_ip::PROGRAM;
+const BT: Program = gb_2d_bt::PROGRAM;
+
+#[test]
+fn tab_chooses_a_point_and_the_arrows_move_it() {
+    let start = model(IP, "O.IP2", "");
+    let [x, y] = [0, 1].map(|d| start["points"][1][d].as_f64().unwrap());
+    let moved = model(IP, "O.IP2", "key Tab\nkey Tab\nkey Right\nkey Right\nkey Up\n");
+    assert_eq!(moved["points"][1], json!([x + 2.0, y + 1.0]));
+    assert_eq!(moved["chosen"], "point 2");
+    let fast = model(IP, "O.IP2", "key Tab\nkey Tab\npress shift\nkey Left\nrelease shift\n");
+    assert_eq!(fast["points"][1], json!([x - 10.0, y]));
+    // One undo takes the whole row back; another choice begins another row.
+    let undone = model(IP, "O.IP2", "key Tab\nkey Tab\nkey Right\nkey Right\nkey Up\nkey Ctrl+Z\n");
+    assert_eq!(undone["points"], start["points"]);
+    let rows = "key Tab\nkey Up\nkey Up\nkey Tab\nkey Up\nkey Ctrl+Z\n";
+    assert_eq!(
+        model(IP, "O.IP2", rows)["points"][0][1],
+        json!(start["points"][0][1].as_f64().unwrap() + 2.0)
+    );
+    // The last Tab chooses nothing, and Esc lets go.
+    let count = start["points"].as_array().unwrap().len();
+    assert_eq!(model(IP, "O.IP2", &"key Tab\n".repeat(count + 1)).get("chosen"), None);
+    assert_eq!(model(IP, "O.IP2", "key Tab\nkey Esc\nkey Right\n")["points"], start["points"]);
+    // A point stays in the field.
+    let edge = format!("key Tab\n{}", "press shift\nkey Left\nrelease shift\n".repeat(60));
+    assert_eq!(model(IP, "O.IP2", &edge)["points"][0][0], 0.0);
+}
+
+#[test]
+fn tips_of_tangents_are_chosen_after_their_points() {
+    let script = "key Esc\nkey Tab\nkey Tab\nkey Up\n";
+    let [before, after] = ["key Esc\n", script].map(|script| model(gb_2d_ch::PROGRAM, "A.IC2", script));
+    assert_eq!(after["chosen"], "tangent 1");
+    assert_eq!(after["tangents"][0][1].as_f64().unwrap(), before["tangents"][0][1].as_f64().unwrap() + 2.0);
+    assert_eq!(after["points"], before["points"]);
+}
+
+#[test]
+fn a_letter_keeps_a_point_in_space_to_an_axis() {
+    let program = gb_3d_ip::PROGRAM;
+    let start = model(program, "A.IP3", "");
+    let moved = model(program, "A.IP3", "key Tab\nkey Z\nkey Up\nkey Up\n");
+    let place = |model: &Value| [0, 1, 2].map(|d| model["points"][0][d].as_f64().unwrap());
+    let [x, y, z] = place(&start);
+    assert_eq!(place(&moved), [x, y, z + 2.0]);
+    // Dragged, too: wherever the mouse goes. The disc of the point lies where the picture of 1997 has it.
+    let (picture, _) = played(program, "A.IP3", "key Tab\nshot s.png\n");
+    pictures::assert_golden("by_hand_space", &picture.pictures["s.png"]);
+    let dragged = |keys: &str| {
+        let script = format!("move 262 305\npress left\nmove 270 300\n{keys}move 260 300\nrelease left\n");
+        place(&model(program, "A.IP3", &script))
+    };
+    let free = dragged("");
+    let along = dragged("key Z\n");
+    assert!(free != [x, y, z] && (free[0] != x || free[1] != y), "{free:?}");
+    assert_eq!([along[0], along[1]], [x, y]);
+    assert_ne!(along[2], z);
+    assert_eq!(dragged("key Z\nkey Z\n"), free);
+}
+
+#[test]
+fn wheel_keys_and_potentiometer_turn_bias_and_tension() {
+    let of = |script: &str| {
+        let model = model(BT, "K.IP2", script);
+        [&model["bias"], &model["tension"]].map(|value| value.as_f64().unwrap())
+    };
+    assert_eq!(of("move 60 44\nwheel 2\n"), [1.0, 1.0]);
+    assert_eq!(of("move 60 8\nkey Up\nkey PageUp\n"), [1.2, 0.0]);
+    assert_eq!(of("move 60 44\npress shift\nwheel -1\nrelease shift\n"), [1.0, -0.05]);
+    // The knob of the tension is in the middle of its track.
+    assert_eq!(of("drag 114 51 191 51\n"), [1.0, 20.0]);
+    // One undo takes a row of turns back, and another the drag before it.
+    assert_eq!(of("drag 114 51 191 51\nmove 60 44\nwheel -1\nwheel -1\nkey Ctrl+Z\n"), [1.0, 20.0]);
+    // A joint of its own for the chosen point.
+    let joint = model(BT, "K.IP2", "key Tab\nmove 60 44\nwheel 4\n");
+    assert_eq!((&joint["tension"], &joint["joints"][0]["tension"]), (&json!(0.0), &json!(2.0)));
+    assert_eq!(joint["joints"][1]["tension"], 0.0);
+    // In the manner of 1997 there is no potentiometer.
+    let old = model(BT, "K.IP2", "manner 1997\nmove 60 44\nwheel 2\nkey PageUp\nkey Tab\nkey Up\n");
+    assert_eq!((&old["bias"], &old["tension"], old.get("chosen")), (&json!(1.0), &json!(0.0), None));
+    let (picture, _) = played(BT, "K.IP2", "key Tab\nmove 60 44\nwheel 4\nshot s.png\n");
+    pictures::assert_golden("by_hand_beta", &picture.pictures["s.png"]);
+}
+
+#[test]
+fn k0_is_turned_while_the_curve_is_a_coons_curve() {
+    let coons = "key G\nkey N\nkey 1\ntype 0.5\nkey Enter\n";
+    assert_eq!(model(IP, "O.IP2", &format!("{coons}move 280 26\nwheel 3\n"))["k0"], 0.8);
+    assert_eq!(model(IP, "O.IP2", "move 280 26\nwheel 3\nkey PageUp\n")["k0"], 0.5);
+    // Tangents of the user's own are not turned away, automatic ones follow.
+    let own = model(gb_2d_ch::PROGRAM, "A.IC2", "key Esc\n");
+    let turned = model(gb_2d_ch::PROGRAM, "A.IC2", "key Esc\nkey PageUp\n");
+    assert_eq!(own["tangents"], turned["tangents"]);
+    let automatic = "key Esc\nkey G\nkey N\nkey I\nkey N\ntype 0.5\nkey Enter\n";
+    let [half, more] =
+        ["", "key PageUp\n"].map(|then| model(gb_2d_ch::PROGRAM, "A.IC2", &format!("{automatic}{then}")));
+    assert_eq!((&half["k0"], &more["k0"]), (&json!(0.5), &json!(0.6)));
+    assert_ne!(half["tangents"], more["tangents"]);
+}
+
+#[test]
+fn polygon_hull_weights_joints_and_comb_are_shown_and_leave_as_a_figure() {
+    let (kept, disk) = played(
+        IP,
+        "O.IP2",
+        "key K\nkey K\nmove 192 150\nkey W\nkey J\nkey Space\nshot s.png\nkey F10\nkey Enter\nkey Enter\nkey Enter\nkey Enter\nkey Enter\n",
+    );
+    let aids = &kept.models["end.json"]["aids"];
+    assert_eq!(*aids, json!({"polygon": "hull", "weights": true, "joints": "contact"}));
+    pictures::assert_golden("by_hand_aids", &kept.pictures["s.png"]);
+    let svg = String::from_utf8(disk.file("gb_2d_ip-1.svg")).unwrap();
+    let plain = played(IP, "O.IP2", "key F10\nkey Enter\nkey Enter\nkey Enter\nkey Enter\nkey Enter\n").1;
+    let plain = String::from_utf8(plain.file("gb_2d_ip-1.svg")).unwrap();
+    let lines = |svg: &str| svg.matches("stroke-dasharray").count();
+    assert!(lines(&svg) >= lines(&plain) + 5, "the polygon has five sides");
+    assert!(svg.contains(">C2<") && !plain.contains(">C2<"));
+    let comb = model(IP, "O.IP2", "key J\nkey J\n");
+    assert_eq!(comb["aids"]["joints"], "comb");
+    assert_eq!(
+        model(IP, "O.IP2", "key K\nkey K\nkey K\nkey J\nkey J\nkey J\nkey W\nkey W\n").get("aids"),
+        None
+    );
+    let (kept, _) = played(
+        gb_3d_ip::PROGRAM,
+        "A.IP3",
+        "key K\nkey K\nkey Tab\nkey W\nkey J\nkey J\nkey Space\nshot s.png\n",
+    );
+    pictures::assert_golden("by_hand_space_aids", &kept.pictures["s.png"]);
+}
+
+#[test]
+fn several_values_of_a_parameter_are_shown_together() {
+    let (kept, disk) = played(
+        BT,
+        "K.IP2",
+        "key G\nkey Z\nkey F4\nkey Tab\nkey Enter\ntype 2 5, 20\nkey Enter\nshot s.png\n\
+         key F10\nkey Enter\nkey Enter\nkey Enter\nkey Enter\nkey Enter\n",
+    );
+    assert_eq!(
+        kept.models["end.json"]["series"],
+        json!({"parameter": "tension", "values": [2.0, 5.0, 20.0]})
+    );
+    pictures::assert_golden("by_hand_series", &kept.pictures["s.png"]);
+    let svg = String::from_utf8(disk.file("gb_2d_bt-1.svg")).unwrap();
+    assert!(["b2=2", "b2=5", "b2=20"].iter().all(|name| svg.contains(name)));
+    // A wrong value is told and asked for again; nothing ends the series.
+    let again = model(BT, "K.IP2", "key F4\nkey C\ntype 2 x\nkey Enter\nkey Space\nkey Esc\n");
+    assert_eq!(again.get("series"), None);
+    let coons = model(IP, "O.IP2", "key F4\nkey 6\ntype 0.3 1\nkey Enter\n");
+    assert_eq!(coons["series"], json!({"parameter": "k0", "values": [0.3, 1.0]}));
+}
