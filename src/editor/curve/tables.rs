@@ -38,6 +38,8 @@ pub enum Action {
     ShapeJoint,
     /// All joints alike.
     JointsAlike,
+    /// A joint of Bézier arcs smooth, or a corner.
+    Smooth,
     /// A command of the program's own layer.
     Own(u8),
 }
@@ -88,6 +90,7 @@ const COMPARE: Row =
 const WORKSHOP: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_WORKSHOP), Action::Workshop);
 const JOINT: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_JOINTS), Action::ShapeJoint);
 const ALIKE: Row = Command::key(Key::F(6), (Words("F6", "F6"), words::HELP_JOINTS_OFF), Action::JointsAlike);
+const SMOOTH: Row = Command::also(Key::Char('S'), Action::Smooth);
 const STORE: Row = Command::told(SAVE);
 const BACK: Row = Command::told(UNDO);
 const TURN: [Row; 4] =
@@ -115,6 +118,7 @@ pub(super) const METHODS: Commands<Action> = Commands(&[
     FOLLOW,
     COMPARE,
     WORKSHOP,
+    SMOOTH,
     STORE,
     BACK,
 ]);
@@ -171,6 +175,7 @@ pub(super) const SPACE_METHODS: Commands<Action> = Commands(&[
     FOLLOW,
     COMPARE,
     WORKSHOP,
+    SMOOTH,
     STORE,
     BACK,
 ]);
