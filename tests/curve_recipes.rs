@@ -5,7 +5,7 @@
 
 mod common;
 
-use common::{Kept, play_script, play_today, session_on};
+use common::{Kept, SharedDisk, play_script, play_today, session, session_on};
 use grafika::file::Document;
 use grafika::geometry::{Point, norm};
 use grafika::machine::{Machine, Manner, Memory, Script, Settings, play};
@@ -212,6 +212,24 @@ fn the_editor_draws_arcs_with_handles() {
     assert_eq!(more.models["end.json"]["visible"], json!(false));
     let whole = today(&format!("{start}\nclick 541 100\nclick 541 200\nclick 541 300\n"));
     assert_eq!(whole.models["end.json"]["visible"], json!(true));
+}
+
+#[test]
+fn handles_between_whole_numbers_are_saved() {
+    let saved = |keys: &str| {
+        let disk = SharedDisk::default();
+        let script = format!(
+            "lang en\nmanner today\n{}type gn5\n{keys}key Ctrl+S\ntype ARCS\nkey Enter\nwait 10\nkey Enter\nwait 10\n",
+            clicks(&SEVEN)
+        );
+        let script = Script::parse(&script).unwrap();
+        let mut session = session(gb_2d_ip::PROGRAM, disk.clone(), script.begun_with(Settings::default()));
+        play(&mut session, &script, &mut Kept::default()).unwrap();
+        disk.names()
+    };
+    // Whole numbers go into a file of 1997, with the method beside it.
+    assert_eq!(saved(""), ["ARCS.IP2", "ARCS.JSON"]);
+    assert_eq!(saved("move 261 300\nkey S\n"), ["ARCS.JSON"]);
 }
 
 #[test]

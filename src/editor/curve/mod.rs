@@ -304,6 +304,12 @@ where
         self.tools.implied().or(self.usual)
     }
 
+    /// The handles of smooth joints lie between whole numbers, which the files of the plane hold only.
+    fn fits_format(&self, sketch: &Sketch<D>) -> bool {
+        let whole = || sketch.points.iter().flatten().all(|value| value.fract() == 0.0);
+        self.format() == Format::Ip3 || sketch.method() != Some(Method::Arcs) || whole()
+    }
+
     fn behave(&mut self, manner: Manner) {
         self.usual = (manner == Manner::Today).then_some(Method::Spline);
     }
