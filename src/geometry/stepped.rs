@@ -45,7 +45,7 @@ pub fn stepped_spline<const D: usize>(
     let chords: Vec<f64> =
         (0..spans).map(|i| norm(scaled_difference(1.0, points[i], points[next(i)]))).collect();
     let steps = rule.steps(&chords);
-    if let Some(i) = steps.iter().position(|step| !(*step > 0.0)) {
+    if let Some(i) = steps.iter().position(|step| step.is_nan() || *step <= 0.0) {
         return Err(GeometryError::EqualNeighbours { number: i + 1, next: next(i) + 1 });
     }
     // Slopes of the chords; (2.28) says that neighbours' mean of them is the mean of the tangents.
