@@ -79,8 +79,8 @@ fn read(disk: &SharedDisk, name: &str) -> Document {
 
 fn curve_settings(document: &Document) -> CurveSettings {
     match document {
-        Document::PlanePoints(plane) => plane.settings,
-        Document::SpacePoints(space) => space.settings,
+        Document::PlanePoints(plane) => plane.settings.clone(),
+        Document::SpacePoints(space) => space.settings.clone(),
         other => panic!("{other:?}"),
     }
 }
@@ -358,11 +358,11 @@ fn a_document_of_points_is_the_curve_that_geometry_makes() {
     let mut different = std::collections::BTreeSet::new();
     for (method, formula) in FORMULAS {
         for (settings, closure) in settings(method) {
-            let plane = PlanePoints { settings, ..PlanePoints::new(PLANE.to_vec()) };
+            let plane = PlanePoints { settings: settings.clone(), ..PlanePoints::new(PLANE.to_vec()) };
             let found = described(&Document::PlanePoints(plane));
             assert_eq!(found, curve(Curve::through(formula, closure, &PLANE)), "{settings:?}");
             different.insert(found.expect("six points have every curve"));
-            let space = SpacePoints { settings, ..SpacePoints::new(in_space()) };
+            let space = SpacePoints { settings: settings.clone(), ..SpacePoints::new(in_space()) };
             let expected = curve(Curve::through(formula, closure, &in_space()));
             assert_eq!(described(&Document::SpacePoints(space)), expected, "{settings:?}");
         }
@@ -550,7 +550,7 @@ mod commands {
             CurveSettings { method: Some(Method::BSpline2), closed: Some(false), ..CurveSettings::default() };
         let coons = CurveSettings { method: Some(Method::Coons), k0: Some(0.25), ..CurveSettings::default() };
         for settings in [spline, open, coons] {
-            let document = plane(settings);
+            let document = plane(settings.clone());
             scratch.write("s.json", &document);
             scratch.done(&["render", "s.json", "-o", "s.svg"]);
             let rendered = std::fs::read_to_string(scratch.0.join("s.svg")).unwrap();

@@ -215,7 +215,7 @@ fn refusals_are_one_line_and_write_nothing() {
         ("sample screw.json --method phspline -o out", 2, "curves of the plane"),
         ("offset screw.json --distance 3 --to json -o out", 2, "curves of the plane"),
         ("render screw.json --comb --to svg -o out", 2, "curves of the plane"),
-        ("render bay.json --method spline --knots chord --to svg -o out", 2, "--knots is for phspline"),
+        ("render bay.json --method bezier --knots chord --to svg -o out", 2, "--knots is for phspline"),
         ("sample A.ZMS --start 1,2 -o out", 2, "--start is for phspline"),
         ("sample bay.json --start 1 -o out", 2, "DX,DY"),
         ("sample A.ZMS --method phspline -o out", 2, "phspline is for curves"),

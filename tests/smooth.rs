@@ -95,6 +95,125 @@ fn a_large_number_of_points_of_the_spline_is_needed() {
     }
 }
 
+/// The slope of the Gauss curve that the samples were made from.
+fn gauss_slope(x: f64) -> f64 {
+    -300.0 * (x - 280.0) / 3600.0 * (-((x - 280.0) / 60.0).powi(2) / 2.0).exp()
+}
+
+fn root_mean_square(errors: &[f64]) -> f64 {
+    (errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64).sqrt()
+}
+
+/// The error of the slopes from each point to the next, against the Gauss curve halfway.
+fn slope_error(points: &[Point<2>]) -> f64 {
+    let leg = |pair: &[Point<2>]| {
+        let ([x0, y0], [x1, y1]) = (pair[0], pair[1]);
+        (y1 - y0) / (x1 - x0) - gauss_slope((x0 + x1) / 2.0)
+    };
+    root_mean_square(&points.windows(2).map(leg).collect::<Vec<_>>())
+}
+
+/// What the page of GB_2D_IP says, to its last digit.
+fn assert_stated(ours: f64, stated: &str) {
+    let decimals = stated.len() - stated.find('.').unwrap() - 1;
+    assert_eq!(format!("{ours:.decimals$}"), stated, "{ours}");
+    let page = include_str!("../docs/gb_2d_ip.md");
+    assert!(page.contains(&format!(" {stated}")), "{stated} is not on the page");
+}
+
+#[test]
+fn the_table_of_the_page_is_true() {
+    let stated = [
+        ("X.IP2", ["0.22", "1.05", "21.87", "2.76"], ["0.027", "0.036", "0.540", "0.081"]),
+        ("Y.IP2", ["7.26", "5.81", "21.79", "5.79"], ["0.675", "0.357", "0.561", "0.237"]),
+        ("Z.IP2", ["41.42", "32.70", "46.07", "31.87"], ["1.524", "0.902", "1.057", "0.793"]),
+    ];
+    for (name, values, slopes) in stated {
+        let stages = STAGES.map(|stage| smoothed(name, &["--stage", stage]));
+        let all: Vec<Vec<Point<2>>> = std::iter::once(sample(name)).chain(stages).collect();
+        for ((points, value), slope) in all.iter().zip(values).zip(slopes) {
+            assert_stated(error(points), value);
+            assert_stated(slope_error(points), slope);
+        }
+    }
+    for (density, value, slope) in [
+        ("1", "22.36", "0.572"),
+        ("4", "8.77", "0.260"),
+        ("6", "7.23", "0.229"),
+        ("8", "6.55", "0.221"),
+        ("16", "5.79", "0.237"),
+        ("64", "5.66", "0.304"),
+    ] {
+        let points = smoothed("Y.IP2", &["--density", density]);
+        assert_stated(error(&points), value);
+        assert_stated(slope_error(&points), slope);
+    }
+}
+
+/// The numbers of a table, `None` where a field is empty.
+fn table(text: &str) -> (Vec<&str>, Vec<Vec<Option<f64>>>) {
+    let mut lines = text.lines();
+    let header = lines.next().unwrap().split(',').collect();
+    let row = |line: &str| line.split(',').map(|field| field.parse().ok()).collect();
+    (header, lines.map(row).collect())
+}
+
+fn sampled(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_grafika")).arg("sample").args(arguments).output().unwrap();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn the_spline_through_the_points_keeps_the_noise() {
+    let text = sampled(&["Y.IP2", "--method", "spline", "--slopes"]);
+    let (header, rows) = table(&text);
+    assert_eq!(header, ["span", "u", "x", "y", "dy/dx"]);
+    let place = |row: &[Option<f64>]| (row[2].unwrap(), row[3].unwrap(), row[4].unwrap());
+    let slopes: Vec<f64> = rows.iter().map(|row| place(row)).map(|(x, _, s)| s - gauss_slope(x)).collect();
+    assert_stated(root_mean_square(&slopes), "0.75");
+    let points: Vec<Point<2>> = rows.iter().map(|row| place(row)).map(|(x, y, _)| [x, y]).collect();
+    assert_stated(error(&points), "6.51");
+}
+
+#[test]
+fn slopes_are_quotients_of_derivatives() {
+    let text = sampled(&["A.IP2", "--method", "spline", "--closed", "--derivatives", "2", "--slopes"]);
+    let (header, rows) = table(&text);
+    assert_eq!(header, ["span", "u", "x", "y", "dx", "dy", "ddx", "ddy", "dy/dx"]);
+    for row in rows {
+        let [dx, dy] = [row[4].unwrap(), row[5].unwrap()];
+        match row[8] {
+            Some(slope) => assert!((slope * dx - dy).abs() <= 1e-12 * dy.abs()),
+            None => assert!(dx.abs() <= 1e-12 * dy.abs()),
+        }
+    }
+    let text = sampled(&["A.IP3", "--method", "bezier", "--slopes", "--at", "0.5"]);
+    assert_eq!(table(&text).0, ["u", "x", "y", "z", "dy/dx", "dz/dx"]);
+    // The ends of a cubic B-spline stand still.
+    let text = sampled(&["Y.IP2", "--method", "bspline3", "--slopes"]);
+    assert_eq!(table(&text).1[0][4], None);
+    let json = sampled(&["Y.IP2", "--method", "bspline3", "--slopes", "--per-span", "1", "--to", "json"]);
+    assert!(json.contains("\"dy/dx\":null"), "{json}");
+}
+
+#[test]
+fn smoothed_points_come_with_their_slopes() {
+    let [csv, _] = done(&["Y.IP2", "-o", "-", "--slopes", "--density", "8"]);
+    let (header, rows) = table(&csv);
+    assert_eq!((header, rows.len()), (vec!["x", "y", "dy/dx"], 41));
+    let slopes: Vec<f64> = rows.iter().map(|row| row[2].unwrap() - gauss_slope(row[0].unwrap())).collect();
+    assert!((root_mean_square(&slopes) - 0.247).abs() < 0.001);
+    // The points are the same as without, and both tables read back.
+    let plain = smoothed("Y.IP2", &["--density", "8"]);
+    assert_eq!(plane(Document::from_csv(&csv).unwrap()), plain);
+    done(&["Y.IP2", "-o", "slopes.json", "--slopes", "--density", "8"]);
+    assert_eq!(plane(document("slopes.json")), plain);
+    let output = smooth(&["Y.IP2", "-o", "y3.IP2", "--slopes"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains(".IP2 has no place for slopes"));
+}
+
 #[test]
 fn the_line_tells_the_residuals_of_the_points() {
     let [stdout, stderr] = done(&["Y.IP2", "-o", "y.csv"]);

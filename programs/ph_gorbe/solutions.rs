@@ -57,12 +57,12 @@ impl Solution {
 
 /// The solutions of a spline: one for every rule for the knots.
 fn of_spline(sketch: &Sketch<2>) -> Vec<Solution> {
-    let chosen = sketch.settings.knots.unwrap_or_default();
+    let chosen = sketch.knot_rule(Method::PhSpline, Knots::default()).unwrap_or_default();
     let mut others = INKS.into_iter().skip(1);
     let solution = |knots: Knots| {
         let ink = if knots == chosen { INKS[0] } else { others.next().unwrap_or(Color::LightGray) };
         let mut sketch = sketch.clone();
-        sketch.settings.knots = Some(knots);
+        sketch.settings.knots = Some(knots.into());
         Some(Solution::of_curve(texts::knots(knots), ink, &sketch.ph_curve().ok()?))
     };
     KNOTS.into_iter().filter_map(solution).collect()
@@ -112,7 +112,7 @@ pub(super) async fn show(
             Some(Key::Left) if !spline => span = (span + spans.max(1) - 1) % spans.max(1),
             Some(Key::Char(digit @ '1'..='3')) if spline => {
                 let mut chosen = sketch.clone();
-                chosen.settings.knots = KNOTS.get(digit as usize - '1' as usize).copied();
+                chosen.settings.knots = KNOTS.get(digit as usize - '1' as usize).map(|rule| (*rule).into());
                 return Ok(Some(chosen));
             }
             _ => {}

@@ -16,6 +16,15 @@ pub enum DesignError {
     NoMethod,
     /// The method needs something that the document does not have.
     Needs(Method),
+    /// The method takes a rule for its knots, and not the knots themselves.
+    OnlyRules(Method),
+    /// The derivative at an end has another number of coordinates than the points.
+    EndCoordinates {
+        /// How many it has.
+        given: usize,
+        /// How many the points have.
+        needed: usize,
+    },
     /// A Hermite patch needs a matrix of points, tangents and twists.
     NeedsTwists,
     /// An `.FHC` file has no other method than hermite.
@@ -108,6 +117,14 @@ impl fmt::Display for DesignError {
                 f.write_str("hermite needs tangents, as an .IC2 file with its .EC2 has them")
             }
             DesignError::Needs(method) => write!(f, "{} needs more than this file has", method.name()),
+            DesignError::OnlyRules(method) => write!(
+                f,
+                "{} takes a rule for its knots (uniform, chord or centripetal); knots themselves are for bspline",
+                method.name()
+            ),
+            DesignError::EndCoordinates { given, needed } => {
+                write!(f, "the derivative at an end has {given} coordinates; the points have {needed}")
+            }
             DesignError::NeedsTwists => {
                 f.write_str("hermite needs tangents and twists, as an .FHC file has them")
             }

@@ -3,6 +3,7 @@
 //! A design is control points *and* the recipe: method, closure, parameters, shapes of joints. It is what the
 //! editors change, undo, keep and save, and what `sample` and `render` draw. No pixels and no words here.
 
+mod arcs;
 pub mod ec;
 mod edit;
 mod error;
@@ -22,8 +23,8 @@ pub use edit::{Edit, Place};
 pub use error::DesignError;
 pub use net::{Index, NetDesign, Part};
 pub use normals::NORMALS_SIZE;
-pub use sketch::Sketch;
 pub(crate) use sketch::follow;
+pub use sketch::{Sketch, USUAL_DEGREE};
 
 use crate::file::ec::EcDocument;
 use crate::file::{
@@ -258,11 +259,18 @@ pub fn without_points(document: &Document) -> Vec<String> {
 
 /// Removes the settings that are drawn anyway.
 fn forget_usual(settings: &mut CurveSettings, implied: Option<Method>) {
-    let CurveSettings { method, closed, k0, bias, tension, knots, start: _, end: _ } = settings;
+    let drawn = settings.method.or(implied);
+    let CurveSettings { method, closed, k0, bias, tension, degree, knots, start: _, end: _, smooth: _ } =
+        settings;
     *method = method.filter(|method| Some(*method) != implied);
     *closed = closed.filter(|closed| *closed);
     *k0 = k0.filter(|k0| *k0 != 0.5);
     *bias = bias.filter(|bias| *bias != 1.0);
     *tension = tension.filter(|tension| *tension != 0.0);
-    *knots = knots.filter(|knots| *knots != Knots::default());
+    *degree = degree.filter(|degree| *degree != USUAL_DEGREE);
+    let usual = match drawn {
+        Some(Method::Spline | Method::BSpline) => Knots::Uniform,
+        _ => Knots::default(),
+    };
+    *knots = knots.take().filter(|knots| *knots != usual.into());
 }

@@ -107,7 +107,16 @@ impl NetDesign {
             (Method::Hermite, NetKind::Fhc) => return Ok(None),
             (_, NetKind::Fhc) => return Err(DesignError::OnlyHermite),
             (Method::Hermite, _) => return Err(DesignError::NeedsTwists),
-            (Method::Coons | Method::Fourier | Method::PhSpline | Method::PhHermite | Method::PhCubic, _) => {
+            (
+                Method::Coons
+                | Method::Arcs
+                | Method::BSpline
+                | Method::Fourier
+                | Method::PhSpline
+                | Method::PhHermite
+                | Method::PhCubic,
+                _,
+            ) => {
                 return Err(DesignError::ForCurves(method));
             }
             (Method::Pn | Method::PnThesis, kind) => {

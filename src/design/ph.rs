@@ -2,7 +2,7 @@
 
 use super::{DesignError, Sketch};
 use crate::file::Method;
-use crate::geometry::ph::{PhCurve, SpacePhCurve, SplineEnd, SplineEnds};
+use crate::geometry::ph::{Knots, PhCurve, SpacePhCurve, SplineEnd, SplineEnds};
 use crate::geometry::{
     Closure, Curve, GeometryError, Method as Formula, ParamCurve, Point, automatic_tangents,
 };
@@ -47,14 +47,13 @@ pub(super) fn plane(sketch: &Sketch<2>, method: Method) -> Result<PhCurve, Desig
     let (closure, points) = (sketch.closure(), sketch.points.as_slice());
     Ok(match method {
         Method::PhSpline => {
-            let settings = &sketch.settings;
             let end =
                 |derivative: Option<Point<2>>| derivative.map_or(SplineEnd::Cubic, SplineEnd::Derivative);
             let ends = match closure {
-                Closure::Open => SplineEnds::Open([end(settings.start), end(settings.end)]),
+                Closure::Open => SplineEnds::Open(sketch.end_derivatives()?.map(end)),
                 Closure::Closed => SplineEnds::Closed,
             };
-            PhCurve::spline(settings.knots.unwrap_or_default(), ends, points)?
+            PhCurve::spline(sketch.knot_rule(method, Knots::default())?, ends, points)?
         }
         Method::PhHermite => PhCurve::hermite(closure, points, &tangents(sketch)?)?,
         Method::PhCubic => PhCurve::cubics(closure, points, &tangents(sketch)?)?,
@@ -89,7 +88,6 @@ fn tangents<const D: usize>(sketch: &Sketch<D>) -> Result<Vec<Point<D>>, Geometr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::ph::Knots;
 
     fn bay() -> Sketch<2> {
         let points = vec![
@@ -108,9 +106,9 @@ mod tests {
         let mut sketch = bay().by(Method::PhSpline);
         let length = sketch.ph_curve().unwrap().total_length();
         assert!((length - 790.301522).abs() < 1e-6, "{length}");
-        sketch.settings.knots = Some(Knots::Uniform);
+        sketch.settings.knots = Some(Knots::Uniform.into());
         assert_ne!(sketch.ph_curve().unwrap().total_length(), length);
-        sketch.settings.start = Some([10.0, 90.0]);
+        sketch.settings.start = Some(vec![10.0, 90.0]);
         let curve = sketch.ph_curve().unwrap();
         let slope = curve.at(0, 0.0).unwrap()[1];
         // Uniform knots have steps of 1.

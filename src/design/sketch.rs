@@ -2,11 +2,16 @@
 
 use super::edit::full;
 use super::{DesignError, Edit, Place, closure};
-use crate::file::{CurveSettings, Document, MAX_POINTS, Method, PlanePoints, SpacePoints};
+use crate::file::{CurveSettings, Document, KnotRule, MAX_POINTS, Method, PlanePoints, SpacePoints};
+use crate::geometry::knots::{KnotSource, bspline};
+use crate::geometry::ph::Knots;
 use crate::geometry::{
     Closure, Curve, GeometryError, Method as Formula, ParamCurve, Point, Shape, VaryingBeta,
-    automatic_tangents, hermite_arcs,
+    automatic_tangents, hermite_arcs, stepped_spline,
 };
+
+/// The degree of a B-spline that names none.
+pub const USUAL_DEGREE: usize = 3;
 
 /// Control points with their tangents and joints, and the recipe of the curve.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -134,6 +139,56 @@ impl<const D: usize> Sketch<D> {
         formula.map_or(Ok(()), Formula::check)
     }
 
+    /// The rule for the knots of a method that takes one only; a usual one where none is named.
+    ///
+    /// # Errors
+    /// [`DesignError::OnlyRules`] for knots that are given.
+    pub fn knot_rule(&self, method: Method, usual: Knots) -> Result<Knots, DesignError> {
+        match &self.settings.knots {
+            None => Ok(usual),
+            Some(knots) => knots.rule().ok_or(DesignError::OnlyRules(method)),
+        }
+    }
+
+    /// The derivatives that the settings give to the ends.
+    ///
+    /// # Errors
+    /// [`DesignError::EndCoordinates`].
+    pub fn end_derivatives(&self) -> Result<[Option<Point<D>>; 2], DesignError> {
+        let of = |end: &Option<Vec<f64>>| match end {
+            None => Ok(None),
+            Some(end) => <Point<D>>::try_from(end.as_slice())
+                .map(Some)
+                .map_err(|_| DesignError::EndCoordinates { given: end.len(), needed: D }),
+        };
+        Ok([of(&self.settings.start)?, of(&self.settings.end)?])
+    }
+
+    /// The B-spline of the degree and knots that are set.
+    fn bspline(&self) -> Result<Box<dyn ParamCurve<D>>, DesignError> {
+        let source = match &self.settings.knots {
+            None => KnotSource::By(Knots::Uniform),
+            Some(KnotRule::By(rule)) => KnotSource::By(*rule),
+            Some(KnotRule::Given(knots)) => KnotSource::Given(knots),
+        };
+        let degree = self.settings.degree.unwrap_or(USUAL_DEGREE);
+        Ok(bspline(degree, self.closure(), source, &self.points)?)
+    }
+
+    /// The spline with steps or ends of its own; `None` for the usual one.
+    fn stepped(&self) -> Result<Option<Curve<D>>, DesignError> {
+        let closure = self.closure();
+        let rule = self.knot_rule(Method::Spline, Knots::Uniform)?;
+        let ends = match closure {
+            Closure::Open => self.end_derivatives()?,
+            Closure::Closed => [None; 2],
+        };
+        if rule == Knots::Uniform && ends == [None; 2] {
+            return Ok(None);
+        }
+        Ok(Some(Curve::Piecewise(stepped_spline(closure, rule, ends, &self.points)?)))
+    }
+
     /// Whether no more points can be added.
     pub fn full(&self) -> bool {
         full(&self.points)
@@ -157,8 +212,12 @@ where
                 Box::new(Curve::Piecewise(hermite_arcs(closure, points, tangents)?))
             }
             (Method::PhSpline | Method::PhHermite | Method::PhCubic, ..) => Point::<D>::ph(self, method)?,
+            (Method::BSpline, ..) => self.bspline()?,
             (Method::Beta, _, Some(joints)) => Box::new(VaryingBeta::new(closure, points, joints)?),
             _ => {
+                if let Some(curve) = if method == Method::Spline { self.stepped()? } else { None } {
+                    return Ok(Box::new(curve));
+                }
                 let Shape { bias, tension } = self.shape();
                 let formula = method.with(self.k0(), bias, tension).ok_or(DesignError::Needs(method))?;
                 Box::new(Curve::through(formula, closure, points)?)
@@ -190,6 +249,12 @@ where
         }
         if let Some(joints) = &mut sketch.joints {
             follow(joints, edit, counts, self.shape());
+        }
+        if let Some(smooth) = sketch.settings.smooth.take() {
+            let mut marks: Vec<bool> = (1..=counts[0]).map(|number| smooth.contains(&number)).collect();
+            follow(&mut marks, edit, counts, false);
+            let kept = (1..).zip(marks).filter(|(_, marked)| *marked).map(|(number, _)| number);
+            sketch.settings.smooth = Some(kept.collect()).filter(|kept: &Vec<usize>| !kept.is_empty());
         }
         sketch
     }

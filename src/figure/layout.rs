@@ -3,6 +3,7 @@
 //! All sizes here are nominal pixels, y downwards.
 
 use super::axes::{Axes, PlaneAxes, Rules, SpaceAxes};
+use super::legend;
 use super::letters::{ASCENT, Area, DESCENT, LETTER_WIDTH, Letters, length};
 use super::picture::{Figure, Item, NOMINAL_WIDTH, Style};
 use super::wrap::wrap;
@@ -65,7 +66,8 @@ impl Layout {
         let scale = room / across.max(up);
         let top = if figure.title.is_some() { TITLE_BAND } else { 0.0 };
         let caption = caption_lines(figure);
-        let end = if caption.is_empty() { 0.0 } else { CAPTION_LINE * caption.len() as f64 + CAPTION_END };
+        let under = if caption.is_empty() { 0.0 } else { CAPTION_LINE * caption.len() as f64 + CAPTION_END };
+        let end = under + legend::height(&figure.legend);
         let height = (top + (up * scale + 2.0 * margin + bottom).max(LEAST_HEIGHT) + end).ceil();
         let middle: Point<2> = std::array::from_fn(|d| window.min[d] + (window.max[d] - window.min[d]) / 2.0);
         let center = [(width + left) / 2.0, (height + top - bottom - end) / 2.0];
@@ -75,8 +77,9 @@ impl Layout {
         layout.rules = lines;
         let labels = layout.labels(figure, &letters);
         let title = figure.title.iter().map(|title| heading(title));
-        let caption = below(height - end, &caption);
-        layout.letters = title.chain(labels).chain(letters).chain(caption).collect();
+        let legend = legend::letters(&figure.legend, height - end);
+        let caption = below(height - under, &caption);
+        layout.letters = title.chain(labels).chain(letters).chain(legend).chain(caption).collect();
         layout
     }
 

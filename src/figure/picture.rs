@@ -1,5 +1,6 @@
 //! Figures: items in world coordinates with their styles.
 
+use super::legend::Entry;
 use super::{Axes, FigureError};
 use crate::geometry::{BoundingBox, COORDINATE_LIMIT, Closure, CubicBezier, Point};
 
@@ -136,6 +137,7 @@ pub struct Figure {
     pub(super) title: Option<String>,
     pub(super) caption: Option<String>,
     pub(super) axes: Option<Axes>,
+    pub(super) legend: Vec<Entry>,
     pub(super) items: Vec<Item>,
     /// Whether a surface without area is in it, which cannot be seen as one.
     pub(super) lacks_area: bool,

@@ -26,6 +26,26 @@ const EDGE: [u8; 3] = [170, 0, 0];
 /// The colour of a single curve.
 pub const CURVE_INK: [u8; 3] = [0, 0, 170];
 
+/// The colours of several curves in one picture, which can be told apart on white paper.
+pub const SERIES_INKS: [[u8; 3]; 16] = [
+    CURVE_INK,
+    [190, 0, 0],
+    [0, 130, 0],
+    [200, 110, 0],
+    [140, 0, 150],
+    [0, 135, 150],
+    [90, 90, 90],
+    [225, 70, 150],
+    [110, 140, 0],
+    [60, 130, 235],
+    [125, 70, 25],
+    [0, 75, 70],
+    [240, 130, 100],
+    [95, 85, 195],
+    [170, 140, 60],
+    [90, 0, 60],
+];
+
 /// Darkens a colour of the screen, which is made for a black background, for white paper.
 #[must_use]
 pub fn print_ink(color: Color) -> [u8; 3] {
@@ -138,7 +158,12 @@ impl Figure {
 
     /// Adds a joint between two spans of a curve.
     pub fn plot_joint(&mut self, at: Point<2>) {
-        self.disc(at, JOINT_RADIUS, Style::filled(CURVE_INK, CURVE_INK), None);
+        self.plot_joint_in(at, CURVE_INK);
+    }
+
+    /// Adds a joint in the colour of its curve.
+    pub fn plot_joint_in(&mut self, at: Point<2>, ink: [u8; 3]) {
+        self.disc(at, JOINT_RADIUS, Style::filled(ink, ink), None);
     }
 
     /// Adds a tangent: a dashed line from its tip to its other end, with a mark at the tip.

@@ -73,6 +73,7 @@ impl PlanePoints {
     /// [`FileError::Invalid`] when a number is not finite or the tangents are not as many as the points.
     pub(super) fn check(&self) -> Result<(), FileError> {
         check::finite("point", &self.points)?;
+        self.settings.check(2, self.points.len())?;
         if let Some(tangents) = &self.tangents {
             check::finite("tangent", tangents)?;
             check::one_each("tangents", tangents.len(), self.points.len())?;

@@ -1,6 +1,6 @@
 //! How a document is to be drawn: what the DOS programs ask at every start and JSON remembers.
 
-use crate::geometry::ph::Knots;
+use super::{FileError, KnotRule};
 use serde::{Deserialize, Serialize};
 
 /// A method of interpolation or approximation.
@@ -13,6 +13,11 @@ pub enum Method {
     Bezier,
     /// Cubic spline interpolation (2.28).
     Spline,
+    /// Cubic Bézier arcs from joint to joint (2.49).
+    Arcs,
+    /// B-spline of any degree and knots (2.50).
+    #[serde(rename = "bspline")]
+    BSpline,
     /// Quadratic B-spline (2.57).
     #[serde(rename = "bspline2")]
     BSpline2,
@@ -42,10 +47,12 @@ pub enum Method {
 
 impl Method {
     /// Every method with its name in JSON and on command lines.
-    pub const ALL: [(&'static str, Self); 14] = [
+    pub const ALL: [(&'static str, Self); 16] = [
         ("coons", Self::Coons),
         ("bezier", Self::Bezier),
+        ("arcs", Self::Arcs),
         ("spline", Self::Spline),
+        ("bspline", Self::BSpline),
         ("bspline2", Self::BSpline2),
         ("bspline3", Self::BSpline3),
         ("beta", Self::Beta),
@@ -67,12 +74,14 @@ impl Method {
         Some(match self {
             Self::Coons => Method::Coons { k0 },
             Self::Bezier => Method::Bezier,
+            Self::Arcs => Method::Arcs,
             Self::Spline => Method::Spline,
             Self::BSpline2 => Method::BSpline2,
             Self::BSpline3 => Method::BSpline3,
             Self::Beta => Method::Beta { bias, tension },
             Self::Local => Method::Local { k0 },
-            Self::Hermite
+            Self::BSpline
+            | Self::Hermite
             | Self::Fourier
             | Self::PhSpline
             | Self::PhHermite
@@ -96,7 +105,7 @@ impl Method {
 }
 
 /// How a curve is drawn; every part may be missing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CurveSettings {
     /// The method.
@@ -114,15 +123,23 @@ pub struct CurveSettings {
     /// Tension of a beta-spline (half of Barsky's).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension: Option<f64>,
-    /// The rule for the knots of a PH spline.
+    /// The degree of a B-spline, 1 to 5.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub knots: Option<Knots>,
-    /// The derivative at the start of an open PH spline, in units per knot, with knot steps whose mean is 1.
+    pub degree: Option<usize>,
+    /// The rule for the knots of a PH spline, a spline or a B-spline, or the knots of a B-spline.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub start: Option<[f64; 2]>,
-    /// The derivative at the end of an open PH spline.
+    pub knots: Option<KnotRule>,
+    /// The derivative at the start of an open PH spline or spline, in units per knot, with knot steps whose mean is 1:
+    /// as many coordinates as the points have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub end: Option<[f64; 2]>,
+    pub start: Option<Vec<f64>>,
+    /// The derivative at the end of such a curve.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end: Option<Vec<f64>>,
+    /// The joints of Bézier arcs, as numbers of points from 1, whose two handles are kept on a line with them; the other
+    /// joints are corners.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smooth: Option<Vec<usize>>,
 }
 
 /// How a surface is drawn; every part may be missing. Pairs are for the directions u and v.
@@ -154,6 +171,41 @@ impl CurveSettings {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// # Errors
+    /// [`FileError::Invalid`] for an end with another number of coordinates than the points, a number that is not
+    /// finite, and a smooth joint that is none of the points.
+    pub(super) fn check(&self, coordinates: usize, points: usize) -> Result<(), FileError> {
+        for (name, end) in [("start", &self.start), ("end", &self.end)] {
+            let Some(end) = end else { continue };
+            if end.len() != coordinates {
+                let given = end.len();
+                return Err(FileError::Invalid(format!(
+                    "settings, {name}: {given} coordinates; there must be {coordinates}"
+                )));
+            }
+            finite(name, end)?;
+        }
+        if let Some(KnotRule::Given(knots)) = &self.knots {
+            finite("knots", knots)?;
+        }
+        let wrong = self.smooth.iter().flatten().find(|number| !(1..=points).contains(*number));
+        match wrong {
+            Some(number) => {
+                Err(FileError::Invalid(format!("settings, smooth: there is no point {number} of {points}")))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+fn finite(name: &str, values: &[f64]) -> Result<(), FileError> {
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(index) => {
+            Err(FileError::Invalid(format!("settings, {name}: number {} is not finite", index + 1)))
+        }
+        None => Ok(()),
     }
 }
 

@@ -1,5 +1,6 @@
 //! A whole curve: the arcs of a piecewise method, or the one arc of the Bézier curve.
 
+use super::arcs::bezier_arcs;
 use super::method::{Closure, Method};
 use super::{Bezier, BoundingBox, CubicBezier, GeometryError, ParamCurve, Point, Weights};
 
@@ -22,6 +23,9 @@ impl<const D: usize> Curve<D> {
     pub fn through(method: Method, closure: Closure, points: &[Point<D>]) -> Result<Self, GeometryError> {
         if method == Method::Bezier {
             return Bezier::new(closure, points).map(Self::Bezier);
+        }
+        if method == Method::Arcs {
+            return bezier_arcs(closure, points).map(Self::Piecewise);
         }
         let weights = Weights::new(method, closure, points.len())?;
         weights.arcs(points).map(Self::Piecewise)

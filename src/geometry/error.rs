@@ -27,6 +27,26 @@ pub enum GeometryError {
         /// How many belong there.
         needed: usize,
     },
+    /// A number of points that no row of Bézier arcs has.
+    ArcCount {
+        /// How many points were given.
+        given: usize,
+        /// The next number that is right.
+        needed: usize,
+        /// Whether the curve is closed.
+        closed: bool,
+    },
+    /// The knots of a B-spline are not as many as its points and its degree need.
+    KnotNumber {
+        /// How many knots were given.
+        given: usize,
+        /// How many belong there.
+        needed: usize,
+        /// The number of control points.
+        points: usize,
+        /// The degree.
+        degree: usize,
+    },
     /// A coordinate is NaN or infinite.
     NotFinite {
         /// The point's number, from 1.
@@ -205,6 +225,23 @@ impl fmt::Display for GeometryError {
             Self::WrongCount { given, needed } => {
                 write!(f, "wrong number of points: {given} given, exactly {needed} needed")
             }
+            Self::ArcCount { given, needed, closed } => {
+                let missing = needed.saturating_sub(given);
+                match closed {
+                    false => write!(
+                        f,
+                        "{given} points given: open Bézier arcs take 4, 7, 10, ... points; {missing} more needed"
+                    ),
+                    true => write!(
+                        f,
+                        "{given} points given: closed Bézier arcs take 3, 6, 9, ... points; {missing} more needed"
+                    ),
+                }
+            }
+            Self::KnotNumber { given, needed, points, degree } => write!(
+                f,
+                "{given} knots given, but {points} control points need exactly {needed} knots at degree {degree}"
+            ),
             Self::NotFinite { number } => {
                 write!(f, "point {number} has a coordinate that is not a finite number")
             }
@@ -227,7 +264,7 @@ impl fmt::Display for GeometryError {
                 "tension {tension} is the critical one for bias {bias}: the beta-spline does not exist at {critical}"
             ),
             Self::NotPiecewise { method } => {
-                write!(f, "method {method} is one arc of high degree and has no cubic spans")
+                write!(f, "method {method} is made of arcs of its own and is for curves, not for nets")
             }
             Self::EndsNotOffered { method } => {
                 write!(f, "method {method} has only its own open ends and the closed curve")

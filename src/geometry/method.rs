@@ -48,6 +48,9 @@ pub enum Method {
     /// The Bézier curve by all control points (2.47)-(2.48), degree `n - 1`; closed: the first
     /// point is repeated at the end, degree `n`.
     Bezier,
+    /// A row of cubic Bézier arcs (2.49): every third control point is a joint, the two between are handles. Open curves
+    /// have 3m + 1 points, closed ones 3m.
+    Arcs,
     /// The uniform interpolating cubic spline (2.28)-(2.46), natural ends when open, periodic
     /// when closed. Second derivatives are continuous.
     Spline,
@@ -71,13 +74,14 @@ pub enum Method {
 }
 
 impl Method {
-    /// The stable lower-case name: `coons`, `bezier`, `spline`, `bspline2`, `bspline3`, `beta`,
+    /// The stable lower-case name: `coons`, `bezier`, `arcs`, `spline`, `bspline2`, `bspline3`, `beta`,
     /// `local`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Coons { .. } => "coons",
             Self::Bezier => "bezier",
+            Self::Arcs => "arcs",
             Self::Spline => "spline",
             Self::BSpline2 => "bspline2",
             Self::BSpline3 => "bspline3",
@@ -93,11 +97,12 @@ impl Method {
     }
 
     /// The smallest number of control points. Closed curves need 3; open ones 2, the quadratic
-    /// B-spline 3; with auxiliary points at the ends 4, the quadratic B-spline 3.
+    /// B-spline 3, Bézier arcs 4; with auxiliary points at the ends 4, the quadratic B-spline 3.
     #[must_use]
     pub fn fewest_points(self, ends: Ends) -> usize {
         match (ends, self) {
             (Ends::Closed, _) | (Ends::Open | Ends::Auxiliary, Self::BSpline2) => 3,
+            (Ends::Open, Self::Arcs) => 4,
             (Ends::Open | Ends::Doubled, _) => 2,
             (Ends::Auxiliary, _) => 4,
         }
@@ -119,7 +124,7 @@ impl Method {
         match self {
             Self::Coons { k0 } | Self::Local { k0 } => finite("k0", k0),
             Self::Beta { bias, tension } => check_beta(bias, tension),
-            Self::Bezier | Self::Spline | Self::BSpline2 | Self::BSpline3 => Ok(()),
+            Self::Bezier | Self::Arcs | Self::Spline | Self::BSpline2 | Self::BSpline3 => Ok(()),
         }
     }
 }

@@ -43,6 +43,7 @@
 //! ```
 
 mod arclen;
+mod arcs;
 mod basis;
 mod beta;
 mod bezier;
@@ -73,8 +74,10 @@ mod point;
 mod portable;
 pub mod shaped;
 pub mod skin;
+mod slopes;
 mod smooth;
 mod spline;
+mod stepped;
 mod surface;
 mod tridiagonal;
 mod view;
@@ -82,6 +85,7 @@ mod walk;
 mod weights;
 mod window;
 
+pub use arcs::{ArcPoint, smoothed_handles, turned_handle};
 pub use basis::{Basis, Blend};
 pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
@@ -104,9 +108,11 @@ pub use pn::{
     RationalPatches, RationalSurface, SafeDistances, Shell,
 };
 pub use point::{Point, cross, dot, norm};
+pub use slopes::{slopes, smoothed_tangents};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
+pub use stepped::stepped_spline;
 pub use surface::{
     BSplineSurface, Border, Derivatives, Grid, ParamSurface, Patch, Plane, RefineDirection, Rim, Scheme,
     Surface, SurfaceSample, Topology, Weave, refine, section, triangle_width,

@@ -45,7 +45,7 @@ impl Degree {
 
     /// Where measured point `index` (from 0) of `n` lies on the open B-spline: the number of its span plus
     /// `u`. These are the Greville abscissae, but for the cubic's ends, where the curve's ends are.
-    fn parameter(self, index: usize, n: usize) -> f64 {
+    pub(super) fn parameter(self, index: usize, n: usize) -> f64 {
         let last = n.saturating_sub(1);
         let index_here = index.min(last) as f64;
         match self {
@@ -102,6 +102,17 @@ impl Smoothing {
     #[must_use]
     pub fn largest_density(measured: usize) -> usize {
         ((MAX_FILTERED - 1) / measured.saturating_sub(1).max(1)).max(1)
+    }
+
+    /// Whether these points can be smoothed so.
+    pub(super) fn check<const D: usize>(self, measured: &[Point<D>]) -> Result<(), GeometryError> {
+        check_count(measured.len(), FEWEST_MEASURED)?;
+        check_points(measured)?;
+        match self.stage {
+            Stage::BSpline => Ok(()),
+            Stage::Bezier => check_filtered(measured.len()),
+            Stage::Both => check_density(measured.len(), self.density),
+        }
     }
 }
 
@@ -180,16 +191,12 @@ pub fn smooth<const D: usize>(
     measured: &[Point<D>],
     smoothing: Smoothing,
 ) -> Result<Smoothed<D>, GeometryError> {
-    check_count(measured.len(), FEWEST_MEASURED)?;
-    check_points(measured)?;
+    smoothing.check(measured)?;
     let Smoothing { degree, stage, density } = smoothing;
     let points = match stage {
         Stage::BSpline => spline_points(measured, degree, 1)?,
         Stage::Bezier => filtered(measured, measured.len())?,
-        Stage::Both => {
-            check_density(measured.len(), density)?;
-            filtered(&spline_points(measured, degree, density)?, measured.len())?
-        }
+        Stage::Both => filtered(&spline_points(measured, degree, density)?, measured.len())?,
     };
     let none = GeometryError::TooFewPoints { given: 0, needed: FEWEST_MEASURED };
     let residuals = Residuals::between(measured, &points).ok_or(none)?;
@@ -214,7 +221,7 @@ fn check_filtered(given: usize) -> Result<(), GeometryError> {
 
 /// The points of the B-spline at the parameters of the measured points, and in equal steps of the
 /// parameter between them, `density` steps to each next one.
-fn spline_points<const D: usize>(
+pub(super) fn spline_points<const D: usize>(
     measured: &[Point<D>],
     degree: Degree,
     density: usize,
@@ -238,7 +245,6 @@ fn spline_points<const D: usize>(
 
 /// The points at `0, 1 / (n - 1), ..., 1` of the Bézier curve by these control points.
 fn filtered<const D: usize>(control: &[Point<D>], n: usize) -> Result<Vec<Point<D>>, GeometryError> {
-    check_filtered(control.len())?;
     let curve = Bezier::new(Closure::Open, control)?;
     let last = n.saturating_sub(1).max(1) as f64;
     Ok((0..n).map(|index| curve.eval(index as f64 / last)).collect())

@@ -112,7 +112,7 @@ fn inner_rows(method: Method) -> Option<(Rows, f64)> {
             ([[1.0, 4.0, 1.0, 0.0], [0.0, 4.0, 2.0, 0.0], [0.0, 2.0, 4.0, 0.0], [0.0, 1.0, 4.0, 1.0]], 6.0)
         }
         Method::Beta { bias, tension } => beta_rows(bias, tension),
-        Method::Bezier | Method::Spline => return None,
+        Method::Bezier | Method::Arcs | Method::Spline => return None,
     })
 }
 
@@ -166,7 +166,7 @@ fn open_ends(method: Method, windows: &mut [Window]) {
             }
         }
         Method::Coons { .. } | Method::Local { .. } | Method::BSpline3 => {}
-        Method::Bezier | Method::Spline => {}
+        Method::Bezier | Method::Arcs | Method::Spline => {}
     }
 }
 

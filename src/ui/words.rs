@@ -33,6 +33,7 @@ pub(crate) const CURVE: Hot = Hot::new('G', "örbe", "-curve");
 pub(crate) const COONS: Hot = Hot::new('1', " Coons", " Coons");
 pub(crate) const BEZIER: Hot = Hot::new('2', " Bézier", " Bézier");
 pub(crate) const SPLINE: Hot = Hot::new('3', " Spline", " Spline");
+pub(crate) const ARCS: Hot = Hot::new('5', " Ívek", " Arcs");
 pub(crate) const B_SPLINE: Hot = Hot::new('4', " B-spl.", " B-spl.");
 
 // Questions. The blanks centre them as in the original.
@@ -516,6 +517,31 @@ pub(crate) fn residuals(residuals: &Residuals) -> Phrase {
     Phrase::new(format!("RMS {rms}, max. {largest} ({at}.)"), format!("RMS {rms}, max. {largest} (no. {at})"))
 }
 
+/// How many points Bézier arcs lack.
+pub(crate) fn arcs_lack(count: usize) -> Phrase {
+    let points = if count == 1 { "point" } else { "points" };
+    Phrase::new(format!("Az ívekhez még {count} pont kell"), format!("The arcs need {count} more {points}"))
+}
+
+/// What a joint of Bézier arcs has become.
+pub(crate) fn joint_is(number: usize, smooth: bool) -> Phrase {
+    match smooth {
+        true => Phrase::new(format!("A {number}. pont sima"), format!("Point {number} is smooth")),
+        false => Phrase::new(format!("A {number}. pont sarok"), format!("Point {number} is a corner")),
+    }
+}
+
+/// The value of a smoothed point and the slope of the curve there; in space, its two slopes. Short enough for a page.
+pub(crate) fn value_and_slope(number: usize, point: &[f64], slopes: &[Option<f64>]) -> Phrase {
+    let shown = |slope: &Option<f64>| slope.map_or("-".to_owned(), |slope| format!("{slope:.2}"));
+    let text = match (point, slopes) {
+        ([_, y], [slope]) => format!("{number}: y {y:.1}, dy/dx {}", shown(slope)),
+        (_, [across, up]) => format!("{number}: dy/dx {} dz/dx {}", shown(across), shown(up)),
+        _ => String::new(),
+    };
+    Phrase::new(text.clone(), text)
+}
+
 // The surface programs.
 pub(crate) const SURFACE: Hot = Hot::new('F', "elület", "-surf.");
 pub(crate) const NET_QUIT: Hot = Hot::new('Q', "- kilép", "- quit");
@@ -675,6 +701,12 @@ pub(crate) const HINT_MORE_3D: Words = Words(
     "Még pontok kellenek: B és a három koordináta",
     "A curve needs more points: B and their coordinates",
 );
+pub(crate) const HINT_ARCS: Words = Words(
+    "Húzza a pontokat; S: sima csatlakozás vagy sarok. G eljárás, F1 súgó",
+    "Drag points; S: the nearest joint smooth or a corner. G method, F1 help",
+);
+pub(crate) const ONLY_ARCS: Words = Words("Bézier-ívekhez való (G, 5)", "For Bézier arcs (G, 5) only");
+pub(crate) const NO_JOINT: Words = Words("Az ívek nem csatlakoznak", "There is no joint of arcs");
 pub(crate) const HINT_CURVE: Words = Words("G görbét rajzol. F1: súgó", "G draws a curve. F1 help");
 pub(crate) const HINT_EDIT: Words = Words(
     "Húzza a pontokat; kattintás: új pont. G eljárás, E eredmény, F1 súgó",
@@ -833,6 +865,7 @@ mod tests {
             HINT_MORE,
             HINT_MORE_3D,
             HINT_CURVE,
+            HINT_ARCS,
             HINT_EDIT,
             HINT_EDIT_BETA,
             HINT_EDIT_3D,
@@ -905,6 +938,8 @@ mod tests {
             NO_POINTS,
             TOO_FEW,
             NO_CURVE,
+            ONLY_ARCS,
+            NO_JOINT,
             NO_UNDO,
             NO_REDO,
             FOLLOWS,

@@ -4,9 +4,46 @@ use grafika::design::{Design, DesignError, Shape, knots, shaped};
 use grafika::file::{FamilyName, ShapedPoints};
 use grafika::geometry::knots::{KnotCurve, KnotError};
 use grafika::geometry::shaped::ShapedCurve;
-use grafika::geometry::{ParamCurve, Point};
+use grafika::geometry::{ParamCurve, Point, slopes};
 use grafika::launch::Failure;
 use std::f64::consts::TAU;
+
+/// The columns of a sampled curve besides its parameters and points.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Columns {
+    /// How many derivatives.
+    pub(crate) derivatives: usize,
+    /// Whether dy/dx, in space dz/dx too.
+    pub(crate) slopes: bool,
+}
+
+impl Columns {
+    /// Their names, after those of the parameters.
+    pub(crate) fn names<const D: usize>(self) -> Vec<String> {
+        let axes = ["x", "y", "z"].into_iter().take(D);
+        let orders = ["", "d", "dd"].into_iter().take(self.derivatives + 1);
+        let points = orders.flat_map(|order| axes.clone().map(move |axis| format!("{order}{axis}")));
+        let slopes = slope_names::<D>().into_iter().filter(|_| self.slopes);
+        points.chain(slopes).collect()
+    }
+
+    /// The numbers of a point with its derivatives, of which there is the first where there are slopes.
+    pub(crate) fn numbers<const D: usize>(self, points: &[Point<D>]) -> Vec<Option<f64>> {
+        let shown = points.iter().take(self.derivatives + 1).flatten().copied().map(Some);
+        let tangent = points.get(1).filter(|_| self.slopes);
+        shown.chain(tangent.into_iter().flat_map(|&tangent| slopes(tangent))).collect()
+    }
+
+    /// How many derivatives have to be known.
+    fn needed(self) -> usize {
+        self.derivatives.max(usize::from(self.slopes))
+    }
+}
+
+/// The names of the slopes.
+pub(crate) fn slope_names<const D: usize>() -> Vec<String> {
+    ["y", "z"].into_iter().take(D.saturating_sub(1)).map(|axis| format!("d{axis}/dx")).collect()
+}
 
 /// Rows of numbers below the names of their columns.
 pub(crate) struct Rows {
@@ -16,19 +53,19 @@ pub(crate) struct Rows {
 
 /// Points with so many derivatives at these parameters: by the knots of a curve that has some, by the position of a curve
 /// with shape parameters, else by span + u.
-pub(crate) fn rows(design: &Design, shape: &Shape, at: &[f64], derivatives: usize) -> Result<Rows, Failure> {
+pub(crate) fn rows(design: &Design, shape: &Shape, at: &[f64], columns: Columns) -> Result<Rows, Failure> {
     match design {
         Design::Knots(document) => match knots::curve(document).map_err(Failure::work)? {
-            knots::Curve::Plane(curve) => table(at, derivatives, |u| by_knots(&curve, u, derivatives)),
-            knots::Curve::Space(curve) => table(at, derivatives, |u| by_knots(&curve, u, derivatives)),
+            knots::Curve::Plane(curve) => table(at, columns, |u| by_knots(&curve, u, columns)),
+            knots::Curve::Space(curve) => table(at, columns, |u| by_knots(&curve, u, columns)),
         },
         Design::Shaped(document) => match shaped::curve(document).map_err(Failure::work)? {
-            shaped::Curve::Plane(curve) => table(at, derivatives, |u| by_position(document, &curve, u)),
-            shaped::Curve::Space(curve) => table(at, derivatives, |u| by_position(document, &curve, u)),
+            shaped::Curve::Plane(curve) => table(at, columns, |u| by_position(document, &curve, u)),
+            shaped::Curve::Space(curve) => table(at, columns, |u| by_position(document, &curve, u)),
         },
         _ => match shape {
-            Shape::Plane(curve) => table(at, derivatives, |u| by_span(&**curve, u)),
-            Shape::Space(curve) => table(at, derivatives, |u| by_span(&**curve, u)),
+            Shape::Plane(curve) => table(at, columns, |u| by_span(&**curve, u)),
+            Shape::Space(curve) => table(at, columns, |u| by_span(&**curve, u)),
             Shape::Surface(_) | Shape::Parts(_) | Shape::Outlines(_) => {
                 Err(Failure::usage("--at is for single curves; this file holds something else"))
             }
@@ -37,15 +74,15 @@ pub(crate) fn rows(design: &Design, shape: &Shape, at: &[f64], derivatives: usiz
 }
 
 /// Equal steps in every span of a curve by its knots; `None` for other curves, whose spans have a parameter of their own.
-pub(crate) fn steps(design: &Design, per_span: usize, derivatives: usize) -> Result<Option<Rows>, Failure> {
+pub(crate) fn steps(design: &Design, per_span: usize, columns: Columns) -> Result<Option<Rows>, Failure> {
     let Design::Knots(document) = design else { return Ok(None) };
     match knots::curve(document).map_err(Failure::work)? {
-        knots::Curve::Plane(curve) => spans(&curve, per_span, derivatives).map(Some),
-        knots::Curve::Space(curve) => spans(&curve, per_span, derivatives).map(Some),
+        knots::Curve::Plane(curve) => spans(&curve, per_span, columns).map(Some),
+        knots::Curve::Space(curve) => spans(&curve, per_span, columns).map(Some),
     }
 }
 
-fn spans<const D: usize>(curve: &KnotCurve<D>, per_span: usize, derivatives: usize) -> Result<Rows, Failure> {
+fn spans<const D: usize>(curve: &KnotCurve<D>, per_span: usize, columns: Columns) -> Result<Rows, Failure> {
     let (vector, knots) = (curve.vector(), curve.vector().knots());
     let part = |span: usize, k: usize| {
         let t = k as f64 / per_span as f64;
@@ -54,22 +91,16 @@ fn spans<const D: usize>(curve: &KnotCurve<D>, per_span: usize, derivatives: usi
     let inner = vector.filled_spans().iter().flat_map(|&span| (0..per_span).map(move |k| (span, k)));
     let at: Vec<f64> =
         inner.map(|(span, k)| part(span, k)).chain(std::iter::once(vector.domain()[1])).collect();
-    table(&at, derivatives, |u| by_knots(curve, u, derivatives))
+    table(&at, columns, |u| by_knots(curve, u, columns))
 }
 
 fn table<const D: usize>(
     at: &[f64],
-    derivatives: usize,
+    columns: Columns,
     row: impl Fn(f64) -> Result<Vec<Point<D>>, Failure>,
 ) -> Result<Rows, Failure> {
-    let axes = ["x", "y", "z"];
-    let orders = ["", "d", "dd"].into_iter().take(derivatives + 1);
-    let columns = orders.flat_map(|order| axes.iter().take(D).map(move |axis| format!("{order}{axis}")));
-    let header = std::iter::once("u".to_owned()).chain(columns).collect();
-    let numbers = |&u: &f64| {
-        let points = row(u)?.into_iter().take(derivatives + 1).flatten();
-        Ok(std::iter::once(u).chain(points).map(Some).collect())
-    };
+    let header = std::iter::once("u".to_owned()).chain(columns.names::<D>()).collect();
+    let numbers = |&u: &f64| Ok(std::iter::once(Some(u)).chain(columns.numbers(&row(u)?)).collect());
     let rows = at.iter().map(numbers).collect::<Result<_, Failure>>()?;
     Ok(Rows { header, rows })
 }
@@ -77,11 +108,11 @@ fn table<const D: usize>(
 fn by_knots<const D: usize>(
     curve: &KnotCurve<D>,
     u: f64,
-    derivatives: usize,
+    columns: Columns,
 ) -> Result<Vec<Point<D>>, Failure> {
     let range = curve.vector().domain();
     curve
-        .derivatives(u, derivatives)
+        .derivatives(u, columns.needed())
         .ok_or_else(|| Failure::work(DesignError::from(KnotError::Outside { name: "u", value: u, range })))
 }
 

@@ -19,6 +19,7 @@ mod poly;
 mod reference;
 mod render;
 mod sample;
+mod series;
 mod shape;
 mod skin;
 mod smooth;

@@ -2,6 +2,7 @@
 
 mod checks;
 mod scene;
+mod series;
 
 use crate::curve::CurveArgs;
 use crate::normals;
@@ -29,6 +30,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "Examples:
   grafika render A.IP2 --method spline --closed -o a.svg
+  grafika render A.IP2 --method beta --closed --tension 0,2,5 --joints -o tensions.svg
+  grafika render A.IP2 --method spline,coons,bspline3 --points -o methods.svg
   grafika render A.ZMS -o ball.step
   grafika render A.IP2 --method phspline --closed --distance 10 --distance=-10 --comb -o a.pdf
   grafika render - --from ip2 --method bezier -o - --to png > a.png")]
@@ -61,6 +64,9 @@ pub(crate) struct Render {
     /// Show the control polygon
     #[arg(long)]
     polygon: bool,
+    /// Show the joints of a curve, where its spans end, as small circles
+    #[arg(long)]
+    joints: bool,
     /// Title above the picture, or name of the part in .step
     #[arg(long)]
     title: Option<String>,
@@ -88,7 +94,11 @@ impl Render {
     /// Draws and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
+        if self.curve.is_series() {
+            return self.overwrite.write(Some(&self.output), &self.series(format)?);
+        }
         let (design, shape) = self.curve.shape()?;
+        self.check_joints(&shape)?;
         let exact = self.exact(&design)?;
         let alive = progress::alive("drawing");
         if let Some(curve) = exact {
@@ -161,14 +171,21 @@ impl Render {
                 let bounds = [BoundingBox::of_points(&points), curve.bounding_box()];
                 let places: Vec<Point<2>> = points.iter().map(|&point| view.place(point)).collect();
                 let mut figure = self.figure(&places, closure(&**curve), |figure| {
-                    figure.plot_space_curve(&**curve, &view, CURVE_INK)
+                    figure.plot_space_curve(&**curve, &view, CURVE_INK)?;
+                    self.plot_joints(figure, shape, &view, CURVE_INK);
+                    Ok(())
                 })?;
                 self.measure(&mut figure, view, bounds);
                 figure
             }
             (controls, Shape::Plane(curve)) => {
                 let points = if let Controls::Plane(points) = controls { points } else { Vec::new() };
-                self.figure(&points, closure(&**curve), |figure| figure.plot_curve(&**curve, CURVE_INK))?
+                let view = View::from_direction(SPACE_VIEW);
+                self.figure(&points, closure(&**curve), |figure| {
+                    figure.plot_curve(&**curve, CURVE_INK)?;
+                    self.plot_joints(figure, shape, &view, CURVE_INK);
+                    Ok(())
+                })?
             }
             // A design has a shape of its own kind.
             _ => self.titled(),
@@ -264,6 +281,9 @@ impl Render {
             plot(&mut figure, offset, OFFSET_INK, self.tolerance)?;
         }
         plot(&mut figure, exact.curve(), CURVE_INK, self.tolerance)?;
+        if self.joints {
+            exact.curve().joints().into_iter().for_each(|at| figure.plot_joint(at));
+        }
         if self.points {
             figure.plot_points(points);
         }
@@ -464,7 +484,11 @@ impl Render {
 
     /// Gives a picture of space the axes of space, if there shall be axes.
     fn measure(&self, figure: &mut Figure, view: View, bounds: [Option<BoundingBox<3>>; 2]) {
-        let bounds = bounds.into_iter().flatten().reduce(BoundingBox::union);
+        self.measure_space(figure, view, bounds.into_iter().flatten().reduce(BoundingBox::union));
+    }
+
+    /// The same for the box round all.
+    fn measure_space(&self, figure: &mut Figure, view: View, bounds: Option<BoundingBox<3>>) {
         if let Some(bounds) = bounds.filter(|_| self.axes) {
             figure.set_axes(Axes::Space { view, bounds });
         }

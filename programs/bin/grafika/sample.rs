@@ -1,6 +1,6 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
-use crate::at;
+use crate::at::{self, Columns};
 use crate::curve::CurveArgs;
 use crate::normals;
 use crate::numbers::Numbers;
@@ -9,7 +9,9 @@ use crate::source::is_stream;
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
-use grafika::figure::{curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
+use grafika::figure::{
+    CurveRow, curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json,
+};
 use grafika::geometry::skin::Outline;
 use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
 use grafika::launch::{Failure, Overwrite, progress};
@@ -23,6 +25,7 @@ pub(crate) const SURFACE_STEPS: u32 = 10;
 #[command(after_help = "Examples:
   grafika sample A.IP2 --method spline --closed --per-span 20
   grafika sample A.ZMS -o a.json
+  grafika sample Y.IP2 --method bspline3 --slopes -o slopes.csv
   grafika sample A.IP2 --method phspline --closed --uniform 200 --quantities
   cat six.json | grafika sample - --from json --method bspline3 -o - --to json > points.json")]
 pub(crate) struct Sample {
@@ -34,6 +37,9 @@ pub(crate) struct Sample {
     /// First, or first and second derivatives of a curve, by its parameter
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=2))]
     derivatives: u8,
+    /// The slopes of a curve, dy/dx and in space dz/dx; empty where the curve goes straight up
+    #[arg(long, conflicts_with_all = ["quantities", "uniform"])]
+    slopes: bool,
     /// Length, speed, curvature and directions of a PH curve as well; normals and radii of curvature of a surface by pn
     #[arg(long, conflicts_with = "derivatives")]
     quantities: bool,
@@ -75,11 +81,11 @@ impl Sample {
         }
         let (design, shape) = self.curve.shape()?;
         self.check_items(matches!(shape, Shape::Parts(_)))?;
-        let derivatives = usize::from(self.derivatives);
+        let columns = Columns { derivatives: usize::from(self.derivatives), slopes: self.slopes };
         let alive = progress::alive("sampling");
         let own = match &self.at {
-            Some(Numbers(at)) => Some(at::rows(&design, &shape, at, derivatives)?),
-            None => at::steps(&design, self.per_span.unwrap_or(50) as usize, derivatives)?,
+            Some(Numbers(at)) => Some(at::rows(&design, &shape, at, columns)?),
+            None => at::steps(&design, self.per_span.unwrap_or(50) as usize, columns)?,
         };
         if let Some(own) = own {
             let header: Vec<&str> = own.header.iter().map(String::as_str).collect();
@@ -184,18 +190,35 @@ impl Sample {
     ) -> Result<String, Failure> {
         let steps = self.per_span.unwrap_or(50) as usize;
         let derivatives = usize::from(self.derivatives);
+        let known = derivatives.max(usize::from(self.slopes));
         let mut rows = Vec::new();
         for (first, curve, length) in curves {
             let samples = curve.sample(steps).map_err(Failure::work)?;
             rows.extend(samples.into_iter().map(|Place { span, u, point }| {
                 let mut points = vec![point];
-                let derived = curve.at(span, u).filter(|_| derivatives > 0);
+                let derived = curve.at(span, u).filter(|_| known > 0);
                 let scaled = |(by, point): (f64, Point<D>)| point.map(|x| x / by);
                 points.extend(derived.into_iter().flat_map(|[_, first, second]| {
-                    [(length, first), (length * length, second)].map(scaled).into_iter().take(derivatives)
+                    [(length, first), (length * length, second)].map(scaled).into_iter().take(known)
                 }));
                 (first + span, u, points)
             }));
+        }
+        if self.slopes {
+            let columns = Columns { derivatives, slopes: true };
+            let names = columns.names::<D>();
+            let header: Vec<&str> =
+                ["span", "u"].into_iter().chain(names.iter().map(String::as_str)).collect();
+            let numbers = |(span, u, points): &CurveRow<D>| {
+                let place = [Some(*span as f64), Some(*u)];
+                place.into_iter().chain(columns.numbers(points)).collect()
+            };
+            let rows: Vec<Vec<Option<f64>>> = rows.iter().map(numbers).collect();
+            return self.table(
+                &rows,
+                |rows| quantity_csv(&header, rows),
+                |rows| quantity_json(&header, 1, rows),
+            );
         }
         self.table(
             rows.into_iter(),
@@ -208,8 +231,9 @@ impl Sample {
         &self,
         surfaces: impl Iterator<Item = (usize, &'a dyn ParamSurface)>,
     ) -> Result<String, Failure> {
-        if self.derivatives > 0 {
-            return Err(Failure::usage("--derivatives is for curves; this file holds a surface"));
+        let given = [("--derivatives", self.derivatives > 0), ("--slopes", self.slopes)];
+        if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
+            return Err(Failure::usage(format!("{option} is for curves; this file holds a surface")));
         }
         let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
         let mut rows: Vec<SurfaceSample> = Vec::new();

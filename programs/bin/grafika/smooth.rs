@@ -1,10 +1,13 @@
 //! `grafika smooth`: measured points smoothed by a B-spline and a Bézier curve (section 2.3.8).
 
+use crate::at::Columns;
 use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
+use grafika::figure::{quantity_csv, quantity_json};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{
     DENSITY, GeometryError, MAX_FILTERED, Point, Residuals, Smoothed, Smoothing, Stage, smooth,
+    smoothed_tangents,
 };
 use grafika::launch::{Failure, Overwrite, TableArgs, answer, open_as, progress, say, write_output};
 use serde_json::{Value, json};
@@ -16,6 +19,7 @@ use std::path::PathBuf;
   grafika smooth Y.IP2 -o y.csv
   grafika smooth Y.IP2 --stage bspline -o smooth.ip2
   grafika smooth Y.IP2 -o y.csv --json
+  grafika smooth Y.IP2 --slopes --density 8 -o slopes.csv
   grafika smooth scope.csv --columns time,volts -o smooth.csv
   cat measured.csv | grafika smooth - --from csv -o - > smooth.csv")]
 pub(crate) struct Smooth {
@@ -39,6 +43,9 @@ pub(crate) struct Smooth {
     /// [default: 16, of many measured points fewer]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     density: Option<u32>,
+    /// Write the slopes of the smooth curve at the points too, dy/dx and in space dz/dx; for .csv and .json
+    #[arg(long)]
+    slopes: bool,
     /// Tell the residuals as JSON
     #[arg(long)]
     json: bool,
@@ -70,6 +77,12 @@ impl Smooth {
             ));
         }
         let kind = output_kind(&self.output, self.to.or(to_stdout.then_some(FileKind::Csv)))?;
+        if let (true, FileKind::Dos(format)) = (self.slopes, kind) {
+            return Err(Failure::usage(format!(
+                "--slopes: .{} has no place for slopes; write .csv or .json",
+                format.extension()
+            )));
+        }
         let mut opened = open_as(&self.input, self.from.from, &self.table.options())?;
         if let Document::Cloud(cloud) = &opened.document {
             // Measured points may come as a cloud whose points follow each other.
@@ -78,13 +91,16 @@ impl Smooth {
         }
         let alive = progress::alive("smoothing");
         let failure = |error: GeometryError| Failure::work(format!("{}: {}", opened.name, self.said(&error)));
+        let sloped;
         let (document, residuals, measured) = match &opened.document {
             Document::PlanePoints(plane) => {
                 let Smoothed { points, residuals } = self.smoothed(&plane.points).map_err(failure)?;
+                sloped = self.sloped(&plane.points, &points, kind).map_err(failure)?;
                 (Document::PlanePoints(PlanePoints::new(stored(kind, points))), residuals, plane.points.len())
             }
             Document::SpacePoints(space) => {
                 let Smoothed { points, residuals } = self.smoothed(&space.points).map_err(failure)?;
+                sloped = self.sloped(&space.points, &points, kind).map_err(failure)?;
                 (Document::SpacePoints(SpacePoints::new(points)), residuals, space.points.len())
             }
             _ => {
@@ -99,9 +115,12 @@ impl Smooth {
             FileKind::Dos(format) => document.adapted(format),
             FileKind::Json | FileKind::Csv => document,
         };
-        let content = document.encode(kind).map_err(|error| {
-            Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
-        })?;
+        let encoded = || {
+            document.encode(kind).map_err(|error| {
+                Failure::work(format!("{} as {}: {error}", opened.name, self.output.display()))
+            })
+        };
+        let content = sloped.map_or_else(encoded, |text| Ok(text.into_bytes()))?;
         self.overwrite.write(Some(&self.output), &content)?;
         if let Some(density) = self.told_density(measured) {
             say("grafika", &format!("{}: {density}", opened.name));
@@ -121,6 +140,27 @@ impl Smooth {
 
     fn smoothed<const D: usize>(&self, points: &[Point<D>]) -> Result<Smoothed<D>, GeometryError> {
         smooth(points, self.smoothing(points.len()))
+    }
+
+    /// The smoothed points with their slopes as a table, if it is asked for.
+    fn sloped<const D: usize>(
+        &self,
+        measured: &[Point<D>],
+        smoothed: &[Point<D>],
+        kind: FileKind,
+    ) -> Result<Option<String>, GeometryError> {
+        if !self.slopes {
+            return Ok(None);
+        }
+        let tangents = smoothed_tangents(measured, self.smoothing(measured.len()))?;
+        let columns = Columns { derivatives: 0, slopes: true };
+        let rows = smoothed.iter().zip(tangents).map(|(&point, tangent)| columns.numbers(&[point, tangent]));
+        let (rows, names) = (rows.collect::<Vec<_>>(), columns.names::<D>());
+        let header: Vec<&str> = names.iter().map(String::as_str).collect();
+        Ok(Some(match kind {
+            FileKind::Json => quantity_json(&header, 0, &rows),
+            _ => quantity_csv(&header, &rows),
+        }))
     }
 
     /// How so many points are smoothed.

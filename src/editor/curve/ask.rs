@@ -1,10 +1,13 @@
 //! Questions of the curve editors: the number of a point, other numbers, the form and method of the curve.
 
+use super::degree::{Chosen, ask_b_spline};
 use crate::file::Method;
-use crate::machine::{Asked, Key, Stop};
+use crate::machine::{Asked, Key, Language, Manner, Stop};
+use crate::screen::Screen;
 use crate::ui::words::{self, Words};
 use crate::ui::{
-    Answer, Area, Button, Caption, Desk, Field, Form, MIDDLE, Number, Picture, Question, Stay, TOP,
+    Answer, Area, Button, Caption, Desk, Field, Form, MIDDLE, Number, Over, Picture, Question, Stay, TOP,
+    page,
 };
 use std::ops::RangeInclusive;
 
@@ -21,6 +24,9 @@ pub(in crate::editor) const METHODS: [Button; 4] = [
     Button::new(120, 21, words::SPLINE),
     Button::new(120, 38, words::B_SPLINE),
 ];
+
+/// The button of Bézier arcs, on the communication page.
+const ARCS: Button = Button::new(292, 19, words::ARCS);
 
 /// Asks for the number of a point and returns its index. Zero or less cancels, like Esc.
 pub(crate) async fn ask_index(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<usize> {
@@ -78,21 +84,29 @@ pub(crate) async fn ask_closure(desk: &mut Desk<'_>, picture: &dyn Picture) -> A
     })
 }
 
-/// Waits for a method button, then asks for the coefficient of the tangents if the method has one.
-pub(in crate::editor) async fn ask_method(
-    desk: &mut Desk<'_>,
-    picture: &dyn Picture,
-) -> Asked<(Method, Option<f64>)> {
+/// Waits for a method button, then asks for the coefficient of the tangents if the method has one. The manner of today
+/// has Bézier arcs too.
+pub(super) async fn ask_method(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<Chosen> {
+    let today = desk.machine.manner() == Manner::Today;
+    let over = Over::new(picture, |screen: &mut Screen, language: Language| {
+        if today {
+            page(screen, TOP);
+            ARCS.draw(screen, language);
+        }
+    });
     loop {
-        let tick = desk.event(picture).await?;
-        let clicked = tick.click().and_then(|(x, y)| METHODS.iter().find(|button| button.hit(x, y)));
+        let tick = desk.event(&over).await?;
+        let buttons = METHODS.iter().chain(today.then_some(&ARCS));
+        let clicked = tick.click().and_then(|(x, y)| buttons.clone().find(|button| button.hit(x, y)));
         match clicked.map(|button| button.text.letter).or(tick.letter()) {
             Some('1') => {
-                return Ok((Method::Coons, Some(ask_coefficient(desk, picture).await?)));
+                let k0 = Some(ask_coefficient(desk, picture).await?);
+                return Ok(Chosen { k0, ..Chosen::of(Method::Coons) });
             }
-            Some('2') => return Ok((Method::Bezier, None)),
-            Some('3') => return Ok((Method::Spline, None)),
-            Some('4') => return Ok((ask_degree(desk, picture).await?, None)),
+            Some('2') => return Ok(Chosen::of(Method::Bezier)),
+            Some('3') => return Ok(Chosen::of(Method::Spline)),
+            Some('4') => return ask_b_spline(desk, picture).await,
+            Some('5') if today => return Ok(Chosen::of(Method::Arcs)),
             _ if tick.pressed(Key::Esc) => return Err(Stop::Cancelled),
             _ => {}
         }

@@ -1,6 +1,6 @@
 //! Commands of the curve editors that ask questions, and what is shown beside the communication page.
 
-use super::ask::{FEWEST, METHODS, ask_closure, ask_coefficient, ask_method};
+use super::ask::{METHODS, ask_closure, ask_coefficient, ask_method};
 use super::tables::Action;
 use super::{Ambient, Curves, Tools, beta};
 use crate::design::Place;
@@ -59,6 +59,7 @@ where
             Action::Polygon => self.switch_polygon(desk),
             Action::Weights => self.switch_weights(desk),
             Action::Contacts => self.switch_joints(desk),
+            Action::Smooth => self.toggle_smooth(desk),
             Action::Own(command) => return self.obey_layer(desk, command).await,
             Action::Quit => {
                 let next = quit(self, desk).await?;
@@ -73,7 +74,7 @@ where
 
     /// The command G: the curve's form and method.
     async fn choose_curve(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        if self.count() < FEWEST {
+        if self.count() < self.fewest() {
             desk.tell(words::TOO_FEW, Stay::Briefly);
             return Ok(());
         }
@@ -86,10 +87,9 @@ where
             // The program's method replaces the one that the document names.
             Some(method) => sketch.settings.method = sketch.settings.method.map(|_| method),
             None => {
-                let (method, k0) = ask_method(desk, self).await?;
-                sketch.settings.method = Some(method);
-                sketch.settings.k0 = k0.or(sketch.settings.k0);
-                note = k0.map(k0_note);
+                let chosen = ask_method(desk, self).await?;
+                chosen.put_into(&mut sketch);
+                note = chosen.k0.map(k0_note);
             }
         }
         let method = sketch.method().or(self.craft.tools.implied()).or(self.craft.usual);

@@ -4,10 +4,12 @@
 //! Five programs are this editor with [`Tools`] of their own. In the plane new points are dragged out of a store.
 
 mod aids;
+mod arcs;
 pub(crate) mod ask;
 pub(super) mod beta;
 mod commands;
 mod compare;
+mod degree;
 mod joints;
 pub mod layer;
 pub(crate) mod points;
@@ -209,6 +211,10 @@ struct Model<P> {
     tension: f64,
     method: Option<&'static str>,
     closed: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    degree: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    smooth: Option<Vec<usize>>,
     k0: f64,
     visible: bool,
     compared: Vec<Kind>,
@@ -276,7 +282,7 @@ where
         let tangents = (self.tools == Tools::Tangents).then(Vec::new);
         let mut sketch = Sketch { tangents, ..Sketch::default() };
         if let Some(before) = before {
-            let settings = before.settings;
+            let settings = &before.settings;
             sketch.settings.k0 = settings.k0;
             (sketch.settings.bias, sketch.settings.tension) = (settings.bias, settings.tension);
         }
@@ -313,6 +319,12 @@ where
         self.tools.implied().or(self.usual)
     }
 
+    /// The handles of smooth joints lie between whole numbers, which the files of the plane hold only.
+    fn fits_format(&self, sketch: &Sketch<D>) -> bool {
+        let whole = || sketch.points.iter().flatten().all(|value| value.fract() == 0.0);
+        self.format() == Format::Ip3 || sketch.method() != Some(Method::Arcs) || whole()
+    }
+
     fn behave(&mut self, manner: Manner) {
         self.usual = (manner == Manner::Today).then_some(Method::Spline);
     }
@@ -345,6 +357,8 @@ where
             tension: sketch.shape().tension,
             method: editor.method().filter(|_| editor.shown.known).map(known),
             closed: editor.shown.known.then(|| sketch.closure() == Closure::Closed),
+            degree: sketch.settings.degree,
+            smooth: sketch.settings.smooth.clone(),
             k0: sketch.k0(),
             visible: editor.shown.visible,
             compared: editor.craft.compared.clone(),
@@ -372,12 +386,11 @@ where
     fn moved(sketch: &Sketch<D>, handle: Handle, at: Point<D>) -> Sketch<D> {
         let count = sketch.points.len();
         match (handle, at.fits()) {
-            (Handle::Point(index), true) if index < count => sketch.edited(Edit::Move(index, at)),
-            (Handle::Point(index), false) if index < count && Self::STORE.is_some() => {
-                sketch.edited(Edit::Delete(index))
-            }
-            (Handle::Point(index), false) if index < count => sketch.edited(Edit::Move(index, at)),
-            (Handle::Point(index) | Handle::New(index), true) => sketch.edited(Edit::Insert(index, at)),
+            (Handle::Point(index), true) if index < count => sketch.dragged(index, at),
+            (Handle::Point(index), false) if index < count && Self::STORE.is_some() => sketch.removed(index),
+            (Handle::Point(index), false) if index < count => sketch.dragged(index, at),
+            (Handle::Point(index), true) => sketch.edited(Edit::Insert(index, at)),
+            (Handle::New(index), true) => sketch.with_new(index, at),
             (Handle::Point(_) | Handle::New(_), false) => sketch.clone(),
             (Handle::Tip(index), _) => sketch.with_tip(index, at),
             (Handle::Own, _) => sketch.clone(),
@@ -407,6 +420,7 @@ where
         let mut items = editor.layer_traces();
         editor.add_aids(&mut items);
         items.extend(editor.curves_seen());
+        items.extend(editor.handles_seen());
         editor.add_points(&mut items);
         items
     }

@@ -10,13 +10,13 @@ use crate::editor::stage::Stage;
 use crate::editor::{Craft, Editor, place};
 use crate::file::{MAX_POINTS, Method};
 use crate::geometry::Point;
-use crate::machine::Asked;
+use crate::machine::{Asked, Manner};
 use crate::screen::{Color, Stroke};
 use crate::ui::words;
 use crate::ui::{Answer, Desk, Hint, Question, Stay, TOP};
 use serde::Serialize;
 
-/// The fewest points that have a curve by methods of a layer.
+/// The fewest points that have a curve by methods of a layer, and with tangents.
 const FEWEST_OF_LAYERS: usize = 2;
 
 impl<const D: usize> Editor<Curves<D>, D>
@@ -36,7 +36,9 @@ where
 
     /// The fewest points that have a curve.
     pub(super) fn fewest(&self) -> usize {
-        if self.craft.layer.is_some() { FEWEST_OF_LAYERS } else { FEWEST }
+        // One arc with its two tangents is a curve; the original wants three points.
+        let arc = self.craft.tools == Tools::Tangents && self.manner == Manner::Today;
+        if self.craft.layer.is_some() || arc { FEWEST_OF_LAYERS } else { FEWEST }
     }
 
     /// The tip of the tangent at a point, where tangents are shown.
@@ -92,6 +94,9 @@ where
         if let Some(layer) = self.craft.layer.as_ref().filter(|_| self.count() >= self.fewest()) {
             return layer.hint(&self.scene());
         }
+        if let Some(hint) = self.hint_of_arcs() {
+            return Some(hint);
+        }
         let plane = Curves::<D>::STORE.is_some();
         let methods = self.craft.tools == Tools::Methods;
         let (mouse, keys) = match (self.held.map(|held| held.handle), self.count()) {
@@ -99,8 +104,8 @@ where
             (Some(_), _) if plane => (words::HINT_HELD, words::KEYS_HELD),
             (Some(_), _) => (words::HINT_HELD_3D, words::KEYS_HELD),
             (None, 0) if plane => (words::HINT_FIRST, words::KEYS_FIRST),
-            (None, ..FEWEST) if plane => (words::HINT_MORE, words::KEYS_MORE),
-            (None, ..FEWEST) => (words::HINT_MORE_3D, words::HINT_MORE_3D),
+            (None, count) if count < self.fewest() && plane => (words::HINT_MORE, words::KEYS_MORE),
+            (None, count) if count < self.fewest() => (words::HINT_MORE_3D, words::HINT_MORE_3D),
             (None, _) if !self.shown.visible => (words::HINT_CURVE, words::HINT_CURVE),
             (None, _) if self.craft.tools == Tools::Tangents => {
                 (words::HINT_TANGENTS, words::KEYS_EDIT_CURVE)
@@ -173,6 +178,7 @@ where
             .zip(&sketch.points)
             .map(|(index, &point)| held_at(Handle::Point(index)).unwrap_or(point))
             .collect();
+        let points = self.points_carried().unwrap_or(points);
         let dots = self.stage.is_result() && Curves::<D>::STORE.is_none();
         for index in self.lens.order(&points) {
             // The indices come from these points.
@@ -244,7 +250,7 @@ where
         let mouse = desk.machine.mouse();
         match Curves::handle_at(self, (mouse.x, mouse.y)) {
             Some(Handle::Point(index)) if index < self.count() => {
-                self.change(self.history.now().edited(Edit::Delete(index)));
+                self.change(self.history.now().removed(index));
                 desk.tell(words::deleted(index + 1), Stay::Briefly);
             }
             _ => desk.tell(words::NOTHING_HERE, Stay::Briefly),
@@ -254,7 +260,7 @@ where
     /// The command T: a point goes.
     pub(super) async fn delete(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let index = ask_existing(desk, self, self.count()).await?;
-        self.change(self.history.now().edited(Edit::Delete(index)));
+        self.change(self.history.now().removed(index));
         Ok(())
     }
 }

@@ -46,6 +46,8 @@ pub enum Action {
     Weights,
     /// The joints with their continuity, and the comb of curvature.
     Contacts,
+    /// A joint of Bézier arcs smooth, or a corner.
+    Smooth,
     /// A command of the program's own layer.
     Own(u8),
 }
@@ -104,6 +106,7 @@ const CONTACTS: Row = Command::also(Key::Char('J'), Action::Contacts);
 const PICK: Row = Command::told((Words("Tab", "Tab"), words::HELP_PICK));
 const AXIS: Row = Command::told((Words("X Y Z", "X Y Z"), words::HELP_AXIS));
 const DIAL: Row = Command::told((Words("PgUp PgDn", "PgUp PgDn"), words::HELP_DIAL));
+const SMOOTH: Row = Command::also(Key::Char('S'), Action::Smooth);
 const STORE: Row = Command::told(SAVE);
 const BACK: Row = Command::told(UNDO);
 const TURN: [Row; 4] =
@@ -136,6 +139,7 @@ pub(super) const METHODS: Commands<Action> = Commands(&[
     CONTACTS,
     PICK,
     DIAL,
+    SMOOTH,
     STORE,
     BACK,
 ]);
@@ -210,6 +214,7 @@ pub(super) const SPACE_METHODS: Commands<Action> = Commands(&[
     PICK,
     AXIS,
     DIAL,
+    SMOOTH,
     STORE,
     BACK,
 ]);

@@ -1,7 +1,7 @@
 //! The tangents of GB_2D_CH: dragged by their tips, set by length and angle, or computed, which the original
 //! offers after every action.
 
-use super::ask::{FEWEST, ask_closure, ask_coefficient};
+use super::ask::{ask_closure, ask_coefficient};
 use super::commands::k0_note;
 use super::{Ambient, Curves, Tools};
 use crate::design::Place;
@@ -20,7 +20,7 @@ where
 {
     /// Asks whether to compute the tangents.
     pub(super) async fn offer_automatic_tangents(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
-        if self.craft.tools != Tools::Tangents || self.count() < FEWEST {
+        if self.craft.tools != Tools::Tangents || self.count() < self.fewest() {
             return Ok(());
         }
         let question = Question::new(TOP, words::ASK_AUTOMATIC, [words::YES, words::NO]);

@@ -12,6 +12,7 @@
 //! of B-spline curves", 2001); numbers such as 2.6 are those of Hoffmann's dissertation.
 
 mod curve;
+mod degree;
 mod elevate;
 mod envelope;
 mod error;
@@ -36,6 +37,7 @@ mod vector;
 mod weights;
 
 pub use curve::{KnotArc, KnotCurve};
+pub use degree::{DEGREES, KnotSource, bspline};
 pub use envelope::Envelope;
 pub use error::{KnotError, Unreached};
 pub use limits::Limits;

@@ -57,6 +57,19 @@ impl Knots {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|(known, _)| *known == name).map(|&(_, knots)| knots)
     }
+
+    /// The steps of the knots over chords of these lengths, scaled to mean 1.
+    #[must_use]
+    pub fn steps(self, chords: &[f64]) -> Vec<f64> {
+        let step = |chord: &f64| match self {
+            Self::Uniform => 1.0,
+            Self::Chord => *chord,
+            Self::Centripetal => chord.sqrt(),
+        };
+        let steps: Vec<f64> = chords.iter().map(step).collect();
+        let mean = steps.iter().sum::<f64>() / steps.len().max(1) as f64;
+        steps.into_iter().map(|step| step / mean).collect()
+    }
 }
 
 impl SplineEnds {
@@ -101,7 +114,7 @@ impl PhCurve {
         let root_scale = (0.5 * longest.log2()).round().exp2();
         let scaled = |vector: Point<2>| Complex::from(vector.map(|x| x / root_scale / root_scale));
         let chords: Vec<Complex> = chords.into_iter().map(scaled).collect();
-        let steps = knot_steps(knots, &chords);
+        let steps = knots.steps(&chords.iter().map(|chord| chord.norm()).collect::<Vec<_>>());
         let derivatives = match ends {
             SplineEnds::Closed => [None; 2],
             SplineEnds::Open(ends) => {
@@ -179,18 +192,6 @@ fn spans_of(steps: &[f64], [start, end]: [Option<Complex>; 2], seam: Option<f64>
             Span::new(own, [before, after], [start, end])
         })
         .collect()
-}
-
-/// The knot steps of a rule, scaled to mean 1.
-fn knot_steps(knots: Knots, chords: &[Complex]) -> Vec<f64> {
-    let step = |chord: &Complex| match knots {
-        Knots::Uniform => 1.0,
-        Knots::Chord => chord.norm(),
-        Knots::Centripetal => chord.norm().sqrt(),
-    };
-    let steps: Vec<f64> = chords.iter().map(step).collect();
-    let mean = steps.iter().sum::<f64>() / steps.len().max(1) as f64;
-    steps.into_iter().map(|step| step / mean).collect()
 }
 
 #[cfg(test)]

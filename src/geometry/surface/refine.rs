@@ -127,6 +127,7 @@ fn rule(method: Method, scheme: Scheme, closed: bool) -> Result<Rule, GeometryEr
         }
         Method::Beta { bias: 1.0, tension: 0.0 } => return Ok(Rule::Cubic),
         Method::Beta { .. } => "the joint in the middle of a span would need bias 1 and tension 0",
+        Method::Arcs => "it is for curves, not for nets",
         Method::Coons { .. } | Method::Local { .. } => {
             "its tangents come from neighbours, which would be others in the finer net"
         }

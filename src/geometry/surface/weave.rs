@@ -102,7 +102,7 @@ fn smoothness(method: Method) -> usize {
         method if method == NEUTRAL => 2,
         // Of bias 1, so that the tangents keep their lengths.
         Method::Beta { bias: 1.0, .. } => 1,
-        Method::Beta { .. } | Method::Bezier => 0,
+        Method::Beta { .. } | Method::Bezier | Method::Arcs => 0,
         Method::BSpline2 | Method::Local { .. } | Method::Coons { .. } => 1,
     }
 }

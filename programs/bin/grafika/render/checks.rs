@@ -2,6 +2,7 @@
 
 use super::Render;
 use crate::picture::Format;
+use grafika::design::Shape;
 use grafika::launch::Failure;
 
 impl Render {
@@ -10,6 +11,17 @@ impl Render {
         match self.per_span {
             Some(_) => Err(Failure::usage("--per-span is for surfaces; curves are drawn exactly")),
             None => Ok(()),
+        }
+    }
+
+    /// The joints of what has none.
+    pub(super) fn check_joints(&self, shape: &Shape) -> Result<(), Failure> {
+        match shape {
+            Shape::Plane(_) | Shape::Space(_) => Ok(()),
+            _ if self.joints => {
+                Err(Failure::usage("--joints is for single curves; this file holds something else"))
+            }
+            _ => Ok(()),
         }
     }
 
@@ -30,6 +42,7 @@ impl Render {
             ("--view", self.view.is_some()),
             ("--points", self.points),
             ("--polygon", self.polygon),
+            ("--joints", self.joints),
             ("--caption", self.caption.is_some()),
             ("--axes", self.axes),
             ("--width", self.width.is_some()),
