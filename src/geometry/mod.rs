@@ -59,6 +59,7 @@ pub mod fit;
 mod fourier;
 mod hermite;
 mod hidden;
+mod hull3;
 mod jet;
 pub mod knots;
 pub mod kohonen;
@@ -92,6 +93,7 @@ pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
+pub use hull3::{Hull, convex_hull};
 pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
 pub use param::{ParamCurve, Sample};
@@ -104,8 +106,8 @@ pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
-    BSplineSurface, Border, Derivatives, Grid, ParamSurface, Patch, Plane, RefineDirection, Rim, Scheme,
-    Surface, SurfaceSample, Topology, Weave, refine, section, triangle_width,
+    BSplineSurface, Border, Contact, Derivatives, Grid, Joined, Joint, JointDeviation, Order, ParamSurface, Patch, Plane,
+    RefineDirection, Rim, Scheme, Surface, SurfaceSample, Topology, Weave, refine, section, triangle_width,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;
