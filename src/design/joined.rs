@@ -116,7 +116,9 @@ impl NetDesign {
         let mut design = self.with_settings(|settings| (settings.joint, settings.ratio) = (None, None));
         let points = &self.net.points;
         design.net.points = match points.as_slice() {
-            [p0, p1, _, u0, u1, ..] if self.is_matrix() => vec![p0.clone(), p1.clone(), u0.clone(), u1.clone()],
+            [p0, p1, _, u0, u1, ..] if self.is_matrix() => {
+                vec![p0.clone(), p1.clone(), u0.clone(), u1.clone()]
+            }
             all => all.iter().take(all.len() / 2 + 1).cloned().collect(),
         };
         design
@@ -151,11 +153,7 @@ impl NetDesign {
     }
 
     /// Changes the line of the net across the joint: the seven entries of a Hermite column, or the points.
-    fn across(
-        &mut self,
-        column: usize,
-        change: impl Fn(Option<&mut [Point<3>; 7]>, &mut [Point<3>]),
-    ) {
+    fn across(&mut self, column: usize, change: impl Fn(Option<&mut [Point<3>; 7]>, &mut [Point<3>])) {
         let mut line: Vec<Point<3>> =
             self.net.points.iter().filter_map(|row| row.get(column).copied()).collect();
         match (self.is_matrix(), <[Point<3>; 7]>::try_from(line.as_slice())) {

@@ -210,7 +210,16 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
         }
         Document::Net(mut net) => {
             let NetSettings {
-                method, k0, bias, tension, extended, distance, joint: _, ratio, free_poles, inner,
+                method,
+                k0,
+                bias,
+                tension,
+                extended,
+                distance,
+                joint: _,
+                ratio,
+                free_poles,
+                inner,
             } = &mut net.settings;
             *method = method.filter(|method| Some(*method) != implied);
             *k0 = k0.filter(|k0| *k0 != [0.5; 2]);

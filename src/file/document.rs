@@ -3,8 +3,8 @@
 use super::ec::EcDocument;
 use super::{
     BeadWheel, Circles, Cloud, CloudFormat, CsangoCube, FileError, FileKind, Format, Fourier, KnotNet,
-    KnotPoints, Net, NetKind, NetSettings, Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet, SpacePoints,
-    Spheres, Tangents, billiards, settings,
+    KnotPoints, Net, NetKind, NetSettings, Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet,
+    SpacePoints, Spheres, Tangents, billiards, settings,
 };
 use crate::table::Game;
 

@@ -303,7 +303,7 @@ impl Net {
             return Err(FileError::misfit(format, problem));
         }
         if self.settings.joint.is_some() {
-            let problem = "two joined patches; it holds one patch, and JSON holds both".to_owned();
+            let problem = "two joined patches; only JSON holds both".to_owned();
             return Err(FileError::misfit(format, problem));
         }
         check::no_settings(format, &self.settings)?;

@@ -106,8 +106,9 @@ pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,
 };
 pub use surface::{
-    BSplineSurface, Border, Contact, Derivatives, Grid, Joined, Joint, JointDeviation, Order, ParamSurface, Patch, Plane,
-    RefineDirection, Rim, Scheme, Surface, SurfaceSample, Topology, Weave, refine, section, triangle_width,
+    BSplineSurface, Border, Contact, Derivatives, Grid, Joined, Joint, JointDeviation, Order, ParamSurface,
+    Patch, Plane, RefineDirection, Rim, Scheme, Surface, SurfaceSample, Topology, Weave, refine, section,
+    triangle_width,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

@@ -570,8 +570,10 @@ pub(crate) const HELP_TRIPLE: Words =
     Words("pólus: kétszeres, elért, háromszoros", "poles: doubled, reached, triple points");
 pub(crate) const HELP_JOIN: Words =
     Words("második folt; a csatlakozás feltétele", "a second patch; what is kept at the joint");
-pub(crate) const HELP_FRAME: Words =
-    Words("K kontrollháló, konvex burok; W egy pont súlya", "K control net, convex hull; W weight of a point");
+pub(crate) const HELP_FRAME: Words = Words(
+    "K kontrollháló, konvex burok; W egy pont súlya",
+    "K control net, convex hull; W weight of a point",
+);
 pub(crate) const HELP_HULL: Words = Words("kontrollháló, konvex burok", "control net, convex hull");
 pub(crate) const HELP_INSPECT: Words =
     Words("zebracsíkok, Gauss-görbület, semmi", "zebra stripes, Gaussian curvature, none");

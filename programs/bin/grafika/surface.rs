@@ -95,11 +95,8 @@ impl SurfaceArgs {
             settings.bias = bias.or(settings.bias);
             settings.tension = tension.or(settings.tension);
         });
-        let border = [
-            (self.extended, Border::Reached),
-            (self.free_poles, Border::Free),
-            (self.inner, Border::Inner),
-        ];
+        let border =
+            [(self.extended, Border::Reached), (self.free_poles, Border::Free), (self.inner, Border::Inner)];
         let said = border.into_iter().find(|(given, _)| *given).map(|(_, border)| border);
         let design = said.map_or(design.clone(), |border| design.with_border(border));
         let topology = design.net.kind.topology();

@@ -60,9 +60,7 @@ impl Dump {
     pub(super) fn of(editor: &Editor<Nets, 3>) -> Dump {
         let (now, craft) = (editor.history.now(), &editor.craft);
         let [azimuth, elevation, zoom] = editor.lens.look.angles();
-        let weight = |point: Index| {
-            Some(WeightDump { point, range: extremes(&*now.influence(point).ok()?) })
-        };
+        let weight = |point: Index| Some(WeightDump { point, range: extremes(&*now.influence(point).ok()?) });
         Dump {
             points: now.net.points.clone(),
             bias: now.bias(),

@@ -60,6 +60,8 @@ const RADIUS: Words = Words("kisebbik görbületi sugár", "smaller radius of cu
 const STEP: f64 = 10.0;
 /// Coloured cells per cell of the net, in each direction.
 const FINE: usize = 28;
+/// The same where a patch has no cells of a net, as a Hermite patch.
+const FINEST: usize = 84;
 /// Largest number of coloured cells along one direction.
 const MOST_CELLS: usize = 256;
 impl Editor<Nets, 3> {
@@ -158,7 +160,9 @@ pub(super) fn draw_tinted(
     color: impl Fn(&Place<'_>) -> Color,
 ) -> bool {
     let [rows, columns] = drawn.spans;
-    let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
+    let alone = rows.max(columns) <= 2 && drawn.own().all(|(surface, _)| surface.steps(0, 0, 1) == 1);
+    let most = if alone { FINEST } else { FINE };
+    let steps = most.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
     let fine: Vec<(&dyn ParamSurface, Grid)> =
         drawn.own().filter_map(|(surface, _)| Some((surface, surface.grid(steps).ok()?))).collect();
     if fine.is_empty() {

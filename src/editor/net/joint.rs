@@ -5,7 +5,7 @@ use crate::design::NetDesign;
 use crate::editor::Editor;
 use crate::file::RATIOS;
 use crate::geometry::{BoundingBox, Contact, Joint, Order};
-use crate::machine::{Asked, Manner};
+use crate::machine::{Asked, Language, Manner};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{Hot, Words};
 use crate::ui::{Area, Caption, Choices, Desk, Field, Form, Number, Stay, TOP};
@@ -108,23 +108,27 @@ impl Editor<Nets, 3> {
     }
 
     /// What is kept and what is measured, under the picture; red where what is kept does not hold.
-    pub(super) fn draw_joint(&self, screen: &mut Screen, at: (i32, i32), language: crate::machine::Language) {
+    pub(super) fn draw_joint(&self, screen: &mut Screen, at: (i32, i32), language: Language) {
         let net = self.preview();
         let Some((kept, contact)) = net.joint().zip(net.contact()) else { return };
-        let broken = holds(kept, &contact).then_some(()).is_none();
-        let kept = match kept {
-            Joint::C0 => Words("C0", "C0"),
-            Joint::Plane => Words("érintősík", "tangent plane"),
-            Joint::C1 => Words("C1", "C1"),
-            Joint::C2 => Words("C2", "C2"),
-        };
-        let mark = if broken { Words(", de nem teljesül!", ", but broken!") } else { Words("", "") };
-        let text = Words("Kívánt: {}{}. Mért: {}", "Kept: {}{}. Measured: {}").of(language);
-        let parts = [kept.of(language), mark.of(language), &measured(&contact, language)]
-            .into_iter()
-            .fold(text.to_owned(), |text, part| text.replacen("{}", part, 1));
-        let ink = if broken { Color::Red } else { Color::Black };
-        screen.text(at.0, at.1, &parts, ink);
+        let ink = if holds(kept, &contact) { Color::Black } else { Color::Red };
+        screen.text(at.0, at.1, &told(kept, &contact, language), ink);
+    }
+}
+
+/// What is kept and what is measured.
+fn told(kept: Joint, contact: &Contact, language: Language) -> String {
+    let name = match kept {
+        Joint::C0 => Words("C0", "C0"),
+        Joint::Plane => Words("sík", "plane"),
+        Joint::C1 => Words("C1", "C1"),
+        Joint::C2 => Words("C2", "C2"),
+    };
+    let mark = if holds(kept, contact) { Words("", "") } else { Words(", nem teljesül!", ", broken!") };
+    let (kept, measured) = (name.of(language), measured(contact, language));
+    match language {
+        Language::Hungarian => format!("Kívánt: {kept}{}. Mért: {measured}", mark.0),
+        Language::English => format!("Kept: {kept}{}. Measured: {measured}", mark.1),
     }
 }
 
@@ -139,7 +143,7 @@ fn holds(kept: Joint, contact: &Contact) -> bool {
 }
 
 /// What was measured, in words.
-fn measured(contact: &Contact, language: crate::machine::Language) -> String {
+fn measured(contact: &Contact, language: Language) -> String {
     let percent = |part: f64| short(100.0 * part);
     let words = |pair: Words, numbers: &[String]| {
         numbers.iter().fold(pair.of(language).to_owned(), |text, number| text.replacen("{}", number, 1))
@@ -169,4 +173,25 @@ fn measured(contact: &Contact, language: crate::machine::Language) -> String {
 /// A number with one decimal, or two digits that count where that would be zero.
 fn short(value: f64) -> String {
     if value >= 0.05 { format!("{value:.1}") } else { format!("{value:.1e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::JointDeviation;
+
+    #[test]
+    fn the_longest_line_fits_under_the_picture() {
+        let deviation = JointDeviation { most: 1.234_567, at: 0.4 };
+        for order in [Order::C0, Order::Fold, Order::Plane, Order::C1, Order::C2] {
+            let contact = Contact { order, angle: Some(deviation), first: deviation, second: deviation };
+            for language in [Language::Hungarian, Language::English] {
+                for kept in Joint::ALL {
+                    let line = told(kept, &contact, language);
+                    assert!(line.chars().count() < 80, "{line}");
+                    assert!(!line.contains("{}"), "{line}");
+                }
+            }
+        }
+    }
 }

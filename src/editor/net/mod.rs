@@ -21,8 +21,8 @@ pub use plan::{Family, Plan, Start};
 pub use show::{SHOW_KEYS, Show, show};
 pub(crate) use surface::{Display, Drawn, Fill, draw_parts};
 pub use tables::{
-    B_SPLINE_KEYS, B_SPLINE_POLES_KEYS, BETA_KEYS, BEZIER_KEYS, FINER_KEYS, HERMITE_KEYS, LOCAL_KEYS, NORMALS_KEYS,
-    SPLINE_POLES_KEYS,
+    B_SPLINE_KEYS, B_SPLINE_POLES_KEYS, BETA_KEYS, BEZIER_KEYS, FINER_KEYS, HERMITE_KEYS, LOCAL_KEYS,
+    NORMALS_KEYS, SPLINE_POLES_KEYS,
 };
 
 use super::lens::Held;

@@ -135,7 +135,12 @@ mod tests {
     /// Hermite polynomials (2.12) written out.
     fn hermite([p, q, s, t]: [Point<3>; 4], u: f64) -> Point<3> {
         let (square, cube) = (u * u, u * u * u);
-        let weights = [2.0 * cube - 3.0 * square + 1.0, 3.0 * square - 2.0 * cube, cube - 2.0 * square + u, cube - square];
+        let weights = [
+            2.0 * cube - 3.0 * square + 1.0,
+            3.0 * square - 2.0 * cube,
+            cube - 2.0 * square + u,
+            cube - square,
+        ];
         std::array::from_fn(|axis| weights.iter().zip([p, q, s, t]).map(|(k, p)| k * p[axis]).sum())
     }
 

@@ -89,8 +89,10 @@ impl ParamSurface for Joined {
         surface.net.extend(second.net.into_iter().skip(1));
         let mut inner = m;
         // A point of the border, or the two beside it, that follow from the others.
-        let rules: [(usize, [f64; 3], [usize; 3]); 2] =
-            [(1, [0.5, 0.5, 0.0], [m - 1, m + 1, m]), (2, [1.0, 2.0, -2.0], [m.saturating_sub(2), m + 1, m - 1])];
+        let rules: [(usize, [f64; 3], [usize; 3]); 2] = [
+            (1, [0.5, 0.5, 0.0], [m - 1, m + 1, m]),
+            (2, [1.0, 2.0, -2.0], [m.saturating_sub(2), m + 1, m - 1]),
+        ];
         for (order, factors, from) in rules {
             let target = if order == 1 { m } else { m + 2 };
             let follows = (0..surface.net[0].len()).all(|l| {
@@ -113,7 +115,8 @@ impl ParamSurface for Joined {
                 // The blossom at the joint's neighbours: b(m-1) and c1 are the middles of its legs.
                 let outer = surface.net.get(m - 2)?.clone();
                 let near = surface.net.get(m - 1)?.clone();
-                let point = |(z, a): (&Point<3>, &Point<3>)| std::array::from_fn(|axis| 2.0 * a[axis] - z[axis]);
+                let point =
+                    |(z, a): (&Point<3>, &Point<3>)| std::array::from_fn(|axis| 2.0 * a[axis] - z[axis]);
                 let row = outer.iter().zip(&near).map(point).collect();
                 surface.net.splice(m - 1..=m + 1, [row]);
             }

@@ -84,7 +84,9 @@ fn along_v(scheme: Scheme, net: &[Vec<Point<3>>]) -> Result<(Rows, Direction), G
 fn between_borders(method: Method, border: Border) -> (Method, Ends) {
     match (method, border) {
         (Method::BSpline3, Border::Reached) => (NEUTRAL, Ends::Open),
-        (Method::BSpline2 | Method::BSpline3 | Method::Beta { .. }, Border::Inner) => (method, Ends::Auxiliary),
+        (Method::BSpline2 | Method::BSpline3 | Method::Beta { .. }, Border::Inner) => {
+            (method, Ends::Auxiliary)
+        }
         (Method::BSpline2 | Method::BSpline3, _) => (method, Ends::Doubled),
         _ => (method, Ends::Open),
     }
