@@ -124,7 +124,7 @@ fn told(kept: Joint, contact: &Contact, language: Language) -> String {
         Joint::C1 => Words("C1", "C1"),
         Joint::C2 => Words("C2", "C2"),
     };
-    let mark = if holds(kept, contact) { Words("", "") } else { Words(", nem teljesül!", ", broken!") };
+    let mark = if holds(kept, contact) { Words("", "") } else { Words(", nem teljesül", ", broken") };
     let (kept, measured) = (name.of(language), measured(contact, language));
     match language {
         Language::Hungarian => format!("Kívánt: {kept}{}. Mért: {measured}", mark.0),
