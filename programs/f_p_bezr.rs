@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
              the arrows. Bernstein polynomials blend the points: the surface passes through the corners, \
              the other points only attract it, and each of them shapes the whole patch.",
         ),
-        keys: net::FINER_KEYS,
+        keys: net::BEZIER_KEYS,
         lesson: &[],
     },
     kind: NetKind::Fpb,

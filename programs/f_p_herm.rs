@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
              it a tangent (U, V) or a twist (T), then press F and T. Cubic Hermite functions blend them \
              all; a twist bends the inside of the patch and leaves the border curves as they are.",
         ),
-        keys: net::KEYS,
+        keys: net::HERMITE_KEYS,
         lesson: &[],
     },
     kind: NetKind::Fhc,

@@ -1,7 +1,7 @@
 //! The groups of the programs: the families that the menu shows together and the installer copies together.
 
 use super::ALL;
-use crate::file::Format;
+use crate::file::{Document, FileKind, Format};
 use crate::machine::SAMPLES;
 use crate::ui::{Group, Program, Words};
 
@@ -197,18 +197,19 @@ impl Group {
     /// The built-in samples that its programs open: name and content. A JSON file goes with the file of its name.
     pub fn samples(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> + '_ {
         let opens = |format: Format| self.programs().any(|program| program.opens.contains(&format));
-        SAMPLES.iter().copied().filter(move |(name, _)| format_of(name).is_some_and(opens))
+        SAMPLES.iter().copied().filter(move |(name, content)| format_of(name, content).is_some_and(opens))
     }
 }
 
-/// The format of a sample; that of a JSON file is the one of the file beside it.
-fn format_of(name: &str) -> Option<Format> {
+/// The format of a sample; that of a JSON file is the one of the file beside it, else what it says itself.
+fn format_of(name: &str, content: &[u8]) -> Option<Format> {
     let beside = |(stem, extension): (&str, &str)| {
         let twin = |other: &&str| *other != name && other.rsplit_once('.').is_some_and(|(it, _)| it == stem);
         let json = extension.eq_ignore_ascii_case("JSON");
         json.then(|| SAMPLES.iter().map(|(name, _)| *name).find(twin).and_then(Format::from_name)).flatten()
     };
-    Format::from_name(name).or_else(|| name.rsplit_once('.').and_then(beside))
+    let said = || Document::decode(FileKind::Json, content).ok().map(|document| document.format());
+    Format::from_name(name).or_else(|| name.rsplit_once('.').and_then(beside)).or_else(said)
 }
 
 #[cfg(test)]

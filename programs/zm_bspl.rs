@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
              a point and turn the surface with the arrows. A point moves only what is near it; degree 3 \
              leaves a hole at either pole, as in the book: F4 closes it.",
         ),
-        keys: net::B_SPLINE_KEYS,
+        keys: net::B_SPLINE_POLES_KEYS,
         lesson: &[],
     },
     kind: NetKind::Zmb,

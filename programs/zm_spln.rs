@@ -18,7 +18,7 @@ const PLAN: Plan = Plan {
              T, then turn the surface with the arrows. Opposite meridians join over the poles into closed \
              cubic splines, and closed splines run around too.",
         ),
-        keys: net::FINER_KEYS,
+        keys: net::SPLINE_POLES_KEYS,
         lesson: &[],
     },
     kind: NetKind::Zms,

@@ -452,6 +452,7 @@ fn a_net_is_the_surface_that_geometry_makes() {
                     tension: Some(tension),
                     extended,
                     distance: None,
+                    ..NetSettings::default()
                 };
                 let found = described(&document(settings));
                 if method == Method::Coons {

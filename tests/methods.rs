@@ -3,7 +3,7 @@
 
 use grafika::design::{Design, Shape};
 use grafika::file::{Document, FileKind, Format};
-use grafika::geometry::{Contact, Derivatives, ParamCurve, ParamSurface, Point, contact, cross, dot, norm};
+use grafika::geometry::{SpanContact, Derivatives, ParamCurve, ParamSurface, Point, contact, cross, dot, norm};
 use proptest::prelude::*;
 use std::fmt;
 
@@ -19,7 +19,7 @@ enum Claim {
 }
 
 impl Claim {
-    fn holds(self, contact: Contact) -> bool {
+    fn holds(self, contact: SpanContact) -> bool {
         match self {
             Claim::C(order) => contact.parametric.is_some_and(|found| found >= order),
             Claim::G(order) => contact.geometric.is_some_and(|found| found >= order),

@@ -1,7 +1,8 @@
 //! The nets of chapter 3: hills, a vault, solids in two positions, closed bodies and a ring. Row k is the
 //! points of constant u; what lies like a sphere has 8 meridians from pole to pole.
 
-use grafika::file::{Document, FileError, Net, NetKind};
+use grafika::file::{Document, FileError, FileKind, Net, NetKind};
+use grafika::geometry::Joint;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 type Point = [f64; 3];
@@ -36,9 +37,38 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ("A.ZYS", NetKind::Zys, ring()),
         ("A.ZYB", NetKind::Zyb, ring()),
     ];
+    let joined =
+        [("KETBEZ.JSON", NetKind::Fpb, two_bezier_patches()), ("KETHERM.JSON", NetKind::Fhc, two_vaults())];
+    let joined = joined.into_iter().map(|(name, kind, points)| {
+        let mut net = Net::new(kind, points);
+        net.settings.joint = Some(Joint::C1);
+        Ok((name, Document::Net(net).encode(FileKind::Json)?))
+    });
     nets.into_iter()
         .map(|(name, kind, points)| Ok((name, Document::Net(Net::new(kind, points)).write(kind.format())?)))
+        .chain(joined)
         .collect()
+}
+
+/// Two Bézier patches that meet in the crest of a roof, C1 and not C2.
+fn two_bezier_patches() -> Rows {
+    let heights =
+        [[-60.0; 2], [33.0, 72.0], [66.0, 144.0], [66.0, 144.0], [66.0, 144.0], [-20.0; 2], [-60.0; 2]];
+    let row = |(k, [outer, inner]): (usize, [f64; 2])| {
+        let across = [(-130.0, outer), (-45.0, inner), (45.0, inner), (130.0, outer)];
+        across.map(|(y, z)| [(k as f64 - 3.0) * 70.0, y, z]).to_vec()
+    };
+    heights.into_iter().enumerate().map(row).collect()
+}
+
+/// Two Hermite patches, vaults that meet over the middle, C1 and not C2.
+fn two_vaults() -> Rows {
+    let places = [(-200.0, -50.0, 120.0), (0.0, 70.0, 330.0), (200.0, -40.0, 120.0)];
+    let place = |(x, z, rise): (f64, f64, f64)| {
+        vec![[x, -130.0, z], [x, 130.0, z], [0.0, 260.0, rise], [0.0, 260.0, -rise]]
+    };
+    let along = |rise: f64| vec![[200.0, 0.0, rise], [200.0, 0.0, rise], [0.0; 3], [0.0; 3]];
+    places.into_iter().map(place).chain([420.0, -60.0, -60.0, -420.0].map(along)).collect()
 }
 
 /// The Hermite matrix of a vault: corners on the ground, tangents that rise from all of them, and a twist

@@ -9,6 +9,7 @@ mod edit;
 mod error;
 pub mod fourier;
 mod influence;
+mod joined;
 pub mod knots;
 mod net;
 pub mod nets;
@@ -210,13 +211,27 @@ pub fn lost(document: &Document, format: Format, implied: Option<Method>) -> Vec
             Document::SpacePoints(space)
         }
         Document::Net(mut net) => {
-            let NetSettings { method, k0, bias, tension, extended, distance } = &mut net.settings;
+            let NetSettings {
+                method,
+                k0,
+                bias,
+                tension,
+                extended,
+                distance,
+                joint: _,
+                ratio,
+                free_poles,
+                inner,
+            } = &mut net.settings;
             *method = method.filter(|method| Some(*method) != implied);
             *k0 = k0.filter(|k0| *k0 != [0.5; 2]);
             *bias = bias.filter(|bias| *bias != [1.0; 2]);
             *tension = tension.filter(|tension| *tension != [0.0; 2]);
             *extended = extended.filter(|extended| *extended);
             *distance = distance.filter(|distance| *distance != 0.0);
+            *ratio = ratio.filter(|ratio| *ratio != 1.0);
+            *free_poles = free_poles.filter(|free| *free);
+            *inner = inner.filter(|inner| *inner);
             Document::Net(net)
         }
         other => other,

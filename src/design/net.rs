@@ -45,9 +45,9 @@ pub struct NetDesign {
 }
 
 /// The largest net of an editor: JSON files may hold more than the 8 x 5 of the DOS files.
-const MOST: usize = 64;
+pub(super) const MOST: usize = 64;
 /// The largest coordinate of an editor.
-const FARTHEST: f64 = 1e6;
+pub(super) const FARTHEST: f64 = 1e6;
 
 impl NetDesign {
     /// A net with the method that its kind implies.
@@ -83,9 +83,25 @@ impl NetDesign {
         self.net.settings.k0.unwrap_or([0.5; 2])
     }
 
-    /// Where a cubic B-spline ends.
+    /// Where a cubic B-spline ends, and whether poles are ordinary ends.
     pub fn border(&self) -> Border {
-        if self.net.settings.extended == Some(true) { Border::Reached } else { Border::Doubled }
+        let NetSettings { extended, free_poles, inner, .. } = self.net.settings;
+        match self.net.kind.topology() {
+            Topology::Sphere if free_poles == Some(true) => Border::Free,
+            Topology::Open if inner == Some(true) => Border::Inner,
+            _ if extended == Some(true) => Border::Reached,
+            _ => Border::Doubled,
+        }
+    }
+
+    /// The design with another border.
+    #[must_use]
+    pub fn with_border(&self, border: Border) -> NetDesign {
+        self.with_settings(|settings| {
+            settings.extended = (border == Border::Reached).then_some(true);
+            settings.free_poles = (border == Border::Free).then_some(true);
+            settings.inner = (border == Border::Inner).then_some(true);
+        })
     }
 
     /// The design with other settings.
@@ -138,6 +154,9 @@ impl NetDesign {
     /// # Errors
     /// Those of [`NetDesign::scheme`], and of the geometry.
     pub fn surface(&self) -> Result<Box<dyn ParamSurface>, DesignError> {
+        if let Some(joined) = self.joined()? {
+            return Ok(Box::new(joined));
+        }
         Ok(match self.scheme()? {
             Some(scheme) => Box::new(Surface::new(scheme, &self.net.points)?),
             None if self.is_matrix() => Box::new(Surface::hermite(&self.matrix()?)?),
@@ -151,7 +170,7 @@ impl NetDesign {
     /// As [`NetDesign::surface`].
     pub fn solid(&self) -> Result<Box<dyn ParamSurface>, DesignError> {
         match self.scheme()? {
-            Some(scheme) if scheme.topology == Topology::Sphere => {
+            Some(scheme) if scheme.topology == Topology::Sphere && scheme.border != Border::Free => {
                 let reached = Scheme { border: Border::Reached, ..scheme };
                 Ok(Box::new(Surface::new(reached, &self.net.points)?))
             }
@@ -160,14 +179,14 @@ impl NetDesign {
     }
 
     /// The matrix of a Hermite net, which JSON may hold in another size.
-    fn matrix(&self) -> Result<[[Point<3>; 4]; 4], DesignError> {
+    pub(super) fn matrix(&self) -> Result<[[Point<3>; 4]; 4], DesignError> {
         let rows: Option<Vec<[Point<3>; 4]>> =
             self.net.points.iter().map(|row| row.as_slice().try_into().ok()).collect();
         rows.and_then(|rows| rows.try_into().ok()).ok_or(DesignError::NoMatrix)
     }
 
     /// Whether the net is the matrix of a Hermite patch.
-    fn is_matrix(&self) -> bool {
+    pub(super) fn is_matrix(&self) -> bool {
         self.net.kind == NetKind::Fhc
     }
 
@@ -178,7 +197,12 @@ impl NetDesign {
 
     /// The numbers of control points that can be chosen along u and v.
     pub fn choices(&self) -> [usize; 2] {
-        if self.is_matrix() { [2, 2] } else { self.shape() }
+        match self.is_matrix() {
+            // The corners at the joint are there for the first and for the second patch.
+            true if self.joint().is_some() => [4, 2],
+            true => [2, 2],
+            false => self.shape(),
+        }
     }
 
     /// The places that can be chosen.
@@ -193,25 +217,59 @@ impl NetDesign {
     }
 
     /// A part of a control point.
-    pub fn part(&self, [k, l]: Index, part: Part) -> Option<Point<3>> {
-        let [down, right] = part.offset();
-        self.net.points.get(k + down)?.get(l + right).copied()
+    pub fn part(&self, index: Index, part: Part) -> Option<Point<3>> {
+        let [row, column] = self.entry(index, part)?;
+        self.net.points.get(row)?.get(column).copied()
     }
 
-    /// The design with a new value for a part of a control point. A pole is one point in all rows.
-    #[must_use]
-    pub fn with_part(&self, [k, l]: Index, part: Part, value: Point<3>) -> NetDesign {
-        let mut design = self.clone();
+    /// Where the net holds a part of a control point.
+    pub(super) fn entry(&self, [k, l]: Index, part: Part) -> Option<[usize; 2]> {
         let [down, right] = part.offset();
+        let row = match (self.is_matrix() && self.joint().is_some(), down) {
+            (true, 0) => *[0, 1, 1, 2].get(k)?,
+            (true, _) => k + 3,
+            (false, _) => k + down,
+        };
+        Some([row, l + right])
+    }
+
+    /// The design with a new value for a part of a control point. A pole is one point in all rows; what two patches keep
+    /// at their joint is kept.
+    #[must_use]
+    pub fn with_part(&self, index: Index, part: Part, value: Point<3>) -> NetDesign {
+        let mut design = self.clone();
+        let Some([row, column]) = self.entry(index, part) else { return design };
+        let from = self.part(index, part).unwrap_or_default();
+        design.put([row, column], value);
+        if self.joint().is_some() {
+            design.keep_joint([row, column], from);
+        }
+        design
+    }
+
+    /// Writes a point of the net; a pole into every row.
+    pub(super) fn put(&mut self, [row, column]: [usize; 2], value: Point<3>) {
         let [rows, columns] = self.shape();
-        let pole = self.net.kind.topology() == Topology::Sphere && (l == 0 || l + 1 == columns);
-        let rows = if pole { 0..rows } else { k + down..k + down + 1 };
-        for row in rows {
-            if let Some(point) = design.net.points.get_mut(row).and_then(|row| row.get_mut(l + right)) {
+        let pole = self.net.kind.topology() == Topology::Sphere && (column == 0 || column + 1 == columns);
+        for row in if pole { 0..rows } else { row..row + 1 } {
+            if let Some(point) = self.net.points.get_mut(row).and_then(|row| row.get_mut(column)) {
                 *point = value;
             }
         }
-        design
+    }
+
+    /// The surface whose first coordinate is the weight of a control point: all methods of nets but those of normals are
+    /// linear in the points.
+    ///
+    /// # Errors
+    /// As [`NetDesign::surface`].
+    pub fn influence(&self, index: Index) -> Result<Box<dyn ParamSurface>, DesignError> {
+        let mut unit = self.clone();
+        unit.net.points.iter_mut().flatten().for_each(|point| *point = [0.0; 3]);
+        if let Some(entry) = self.entry(index, Part::Place) {
+            unit.put(entry, [1.0, 0.0, 0.0]);
+        }
+        unit.surface()
     }
 
     /// The design with a control point moved; for height fields only its height changes.
@@ -246,6 +304,7 @@ impl NetDesign {
         let least = kind.shape().map(|count| count.min(fewest));
         let most = if kind == NetKind::Pn { *NORMALS_SIZE.end() } else { MOST };
         let fits = match self.is_matrix() {
+            true if self.joint().is_some() => shape == [7, 4],
             true => shape == [4, 4],
             false => shape.iter().zip(least).all(|(&count, least)| (least..=most).contains(&count)),
         };
@@ -267,7 +326,14 @@ impl NetDesign {
     pub fn polygons(&self) -> Vec<(Vec<Point<3>>, bool)> {
         let [rows, columns] = self.choices();
         let [closed_u, closed_v] = self.net.kind.topology().closed();
-        let line = |places: Vec<Index>| places.into_iter().filter_map(|index| self.point(index)).collect();
+        let line = |places: Vec<Index>| -> Vec<Point<3>> {
+            let mut line: Vec<Point<3>> = places.into_iter().filter_map(|index| self.point(index)).collect();
+            if self.is_matrix() {
+                // The corners at a joint are there twice.
+                line.dedup();
+            }
+            line
+        };
         let along_u = (0..columns).map(|l| (line((0..rows).map(|k| [k, l]).collect()), closed_u));
         let along_v = (0..rows).map(|k| (line((0..columns).map(|l| [k, l]).collect()), closed_v));
         along_u.chain(along_v).collect()
@@ -278,7 +344,8 @@ impl NetDesign {
         let [rows, columns] = self.choices();
         let sphere = self.net.kind.topology() == Topology::Sphere;
         let all = (0..rows).flat_map(|k| (0..columns).map(move |l| [k, l]));
-        let once = all.filter(|&[k, l]| !(sphere && k > 0 && (l == 0 || l + 1 == columns)));
+        let joint = |k: usize| self.is_matrix() && self.joint().is_some() && k == 2;
+        let once = all.filter(|&[k, l]| !(sphere && k > 0 && (l == 0 || l + 1 == columns)) && !joint(k));
         once.filter_map(|index| Some((index, self.point(index)?))).collect()
     }
 }

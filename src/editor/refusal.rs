@@ -25,3 +25,11 @@ pub(crate) fn of_surface(error: &DesignError) -> Phrase {
         other => Phrase::plain(other),
     }
 }
+
+/// Why a net has no finer one.
+pub(crate) fn of_refining(error: &DesignError) -> Phrase {
+    match error {
+        DesignError::Geometry(error) => Phrase::plain(error),
+        other => of_surface(other),
+    }
+}

@@ -3,8 +3,8 @@
 use super::ec::EcDocument;
 use super::{
     BeadWheel, Circles, Cloud, CloudFormat, CsangoCube, FileError, FileKind, Format, Fourier, KnotNet,
-    KnotPoints, Net, NetKind, Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet, SpacePoints,
-    Spheres, Tangents, billiards, settings,
+    KnotPoints, Net, NetKind, NetSettings, Patches, PlanePoints, RationalSpans, ShapedPoints, SomNet,
+    SpacePoints, Spheres, Tangents, billiards, settings,
 };
 use crate::table::Game;
 
@@ -209,7 +209,10 @@ impl Document {
         match &mut self {
             Self::PlanePoints(points) => points.settings = Default::default(),
             Self::SpacePoints(points) => points.settings = Default::default(),
-            Self::Net(net) => net.settings = Default::default(),
+            // Whether a net is that of two patches is no way of drawing it.
+            Self::Net(net) => {
+                net.settings = NetSettings { joint: net.settings.joint, ..NetSettings::default() };
+            }
             _ => {}
         }
         self

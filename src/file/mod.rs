@@ -60,7 +60,7 @@ pub use format::Format;
 pub use fourier::{Fourier, HARMONICS};
 pub use knot_rule::KnotRule;
 pub use knots::{KnotNet, KnotPoints, MAX_CONTROLS};
-pub use net::{Net, NetKind};
+pub use net::{Net, NetKind, RATIOS};
 pub use patches::{PatchItem, Patches};
 pub use places::Places;
 pub use plane::{FIELD, PlanePoints, Tangent, Tangents};

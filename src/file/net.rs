@@ -14,6 +14,8 @@ use serde::{Deserialize, Serialize};
 /// Rows and columns of every file.
 const STORED: [usize; 2] = [8, 5];
 const RECORD: usize = 16;
+/// The ratios of derivatives across a joint that keeps the tangent plane.
+pub const RATIOS: std::ops::RangeInclusive<f64> = 0.05..=20.0;
 
 /// What a net means: the kind of surface, after the file's extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -191,10 +193,38 @@ impl Net {
         Self { kind, points, normals: None, settings: NetSettings::default() }
     }
 
+    /// What the net of two patches has to be.
+    fn check_joint(&self) -> Result<(), FileError> {
+        let NetSettings { joint, ratio, .. } = self.settings;
+        if let Some(ratio) = ratio.filter(|ratio| !RATIOS.contains(ratio)) {
+            let [least, most] = [RATIOS.start(), RATIOS.end()];
+            let problem = format!("the ratio of a joint is {ratio}, but must be {least} to {most}");
+            return Err(FileError::Invalid(problem));
+        }
+        let Some(_) = joint else { return Ok(()) };
+        let (rows, columns) = (self.points.len(), self.points.first().map_or(0, Vec::len));
+        match self.kind {
+            NetKind::Fpb if rows >= 5 && !rows.is_multiple_of(2) && columns >= 2 => Ok(()),
+            NetKind::Fhc if [rows, columns] == [7, 4] => Ok(()),
+            NetKind::Fpb => Err(FileError::Invalid(format!(
+                "two joined Bézier patches with {rows} x {columns} points; they have an odd number of rows, 5 or more, \
+                 of which the middle one is the common border"
+            ))),
+            NetKind::Fhc => Err(FileError::Invalid(format!(
+                "two joined Hermite patches with {rows} x {columns} vectors; they have 7 rows of 4"
+            ))),
+            other => Err(FileError::Invalid(format!(
+                "a joint belongs to two patches of the format FPB or FHC, not {}",
+                other.format()
+            ))),
+        }
+    }
+
     /// # Errors
-    /// [`FileError::Invalid`] when a number is not finite, the rows are not equally long, or there are normals that do
-    /// not belong to the points.
+    /// [`FileError::Invalid`] when a number is not finite, the rows are not equally long, there are normals that do
+    /// not belong to the points, or the points are not those of two patches that are said to be joined.
     pub(super) fn check(&self) -> Result<(), FileError> {
+        self.check_joint()?;
         if let Some(normals) = &self.normals {
             if self.kind != NetKind::Pn {
                 let problem = format!("normals belong to a net of the format PN, not {}", self.kind.format());
@@ -270,6 +300,10 @@ impl Net {
         let format = kind.format();
         if !self.kind.goes_into(kind) {
             let problem = format!("the net is that of {}", a_file(self.kind.format()));
+            return Err(FileError::misfit(format, problem));
+        }
+        if self.settings.joint.is_some() {
+            let problem = "two joined patches; only JSON holds both".to_owned();
             return Err(FileError::misfit(format, problem));
         }
         check::no_settings(format, &self.settings)?;

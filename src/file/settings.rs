@@ -1,6 +1,7 @@
 //! How a document is to be drawn: what the DOS programs ask at every start and JSON remembers.
 
 use super::{FileError, KnotRule};
+use crate::geometry::Joint;
 use serde::{Deserialize, Serialize};
 
 /// A method of interpolation or approximation.
@@ -164,6 +165,19 @@ pub struct NetSettings {
     /// The distance along the normals of the offset that is drawn beside a surface with Pythagorean normals.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub distance: Option<f64>,
+    /// What two patches keep at their joint; a net with it holds two patches with a common border.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<Joint>,
+    /// How long the derivatives of the second patch are across the joint by those of the first, where the tangent plane
+    /// is kept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<f64>,
+    /// Whether the meridians of a sphere end at the poles for themselves, which makes them singular.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub free_poles: Option<bool>,
+    /// Whether the border points of an open B-spline net are auxiliary: the inner patches alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inner: Option<bool>,
 }
 
 impl CurveSettings {

@@ -6,7 +6,7 @@ use std::fmt;
 
 /// How two spans meet in a joint. Orders beyond the second, which no eye sees, are not told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Contact {
+pub struct SpanContact {
     /// The order of the derivatives by the parameter that agree: C0, C1 or C2; `None` where the spans do not meet.
     pub parametric: Option<u8>,
     /// The order that the curve itself has, whatever its parameter: 1 for one tangent, 2 for one curvature as well;
@@ -14,7 +14,7 @@ pub struct Contact {
     pub geometric: Option<u8>,
 }
 
-impl fmt::Display for Contact {
+impl fmt::Display for SpanContact {
     /// `C2`, `C1 G2`, `G1`, or a dash for spans that do not meet.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.parametric, self.geometric) {
@@ -36,7 +36,7 @@ const FLAT: f64 = 1e-3;
 /// open curve and outside.
 ///
 /// The derivatives are compared relative to their size, within 1e-7.
-pub fn contact<const D: usize>(curve: &dyn ParamCurve<D>, joint: usize) -> Option<Contact> {
+pub fn contact<const D: usize>(curve: &dyn ParamCurve<D>, joint: usize) -> Option<SpanContact> {
     let before = match joint {
         0 if curve.closed() => curve.spans().checked_sub(1)?,
         _ => joint.checked_sub(1)?,
@@ -48,7 +48,7 @@ pub fn contact<const D: usize>(curve: &dyn ParamCurve<D>, joint: usize) -> Optio
         norm(difference) <= NONE * norm(a).max(norm(b)).max(least)
     };
     if !near(from[0], to[0], size) {
-        return Some(Contact { parametric: None, geometric: None });
+        return Some(SpanContact { parametric: None, geometric: None });
     }
     let [first, second] = [1, 2].map(|order| near(from[order], to[order], FLAT * size));
     let parametric = match (first, second) {
@@ -74,5 +74,5 @@ pub fn contact<const D: usize>(curve: &dyn ParamCurve<D>, joint: usize) -> Optio
         }
         _ => 0,
     };
-    Some(Contact { parametric: Some(parametric), geometric: Some(geometric) })
+    Some(SpanContact { parametric: Some(parametric), geometric: Some(geometric) })
 }

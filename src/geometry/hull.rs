@@ -10,13 +10,13 @@ use super::Point;
 /// whole numbers up to 2^25.
 ///
 /// ```
-/// use grafika::geometry::convex_hull;
+/// use grafika::geometry::plane_hull;
 ///
 /// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 2.0], [0.0, 2.0], [1.0, 0.0]];
-/// assert_eq!(convex_hull(&points), [0, 1, 3, 4]);
+/// assert_eq!(plane_hull(&points), [0, 1, 3, 4]);
 /// ```
 #[must_use]
-pub fn convex_hull(points: &[Point<2>]) -> Vec<usize> {
+pub fn plane_hull(points: &[Point<2>]) -> Vec<usize> {
     let finite = |&index: &usize| points[index].iter().all(|x| x.is_finite());
     let mut order: Vec<usize> = (0..points.len()).filter(finite).collect();
     let place = |index: usize| points.get(index).copied().unwrap_or_default();
@@ -63,10 +63,10 @@ mod tests {
 
     #[test]
     fn few_points_and_lines_have_their_hull() {
-        assert_eq!(convex_hull(&[]), [0; 0]);
-        assert_eq!(convex_hull(&[[1.0, 2.0]; 3]), [0]);
-        assert_eq!(convex_hull(&[[2.0, 2.0], [0.0, 0.0], [1.0, 1.0]]), [1, 0]);
-        assert_eq!(convex_hull(&[[f64::NAN, 0.0], [1.0, 0.0]]), [1]);
+        assert_eq!(plane_hull(&[]), [0; 0]);
+        assert_eq!(plane_hull(&[[1.0, 2.0]; 3]), [0]);
+        assert_eq!(plane_hull(&[[2.0, 2.0], [0.0, 0.0], [1.0, 1.0]]), [1, 0]);
+        assert_eq!(plane_hull(&[[f64::NAN, 0.0], [1.0, 0.0]]), [1]);
     }
 
     proptest! {
@@ -76,7 +76,7 @@ mod tests {
             points in prop::collection::vec(prop::array::uniform2(-20i32..20), 3..40),
         ) {
             let points: Vec<Point<2>> = points.into_iter().map(|it| it.map(f64::from)).collect();
-            let hull = convex_hull(&points);
+            let hull = plane_hull(&points);
             for (at, &from) in hull.iter().enumerate() {
                 let to = hull[(at + 1) % hull.len()];
                 prop_assert!(points.iter().all(|&it| side(points[from], points[to], it) >= 0.0));

@@ -62,6 +62,7 @@ mod fourier;
 mod hermite;
 mod hidden;
 mod hull;
+mod hull3;
 mod jet;
 pub mod knots;
 pub mod kohonen;
@@ -91,7 +92,7 @@ pub use beta::{Shape, VaryingBeta};
 pub use bezier::Bezier;
 pub use bounds::BoundingBox;
 pub use chebyshev::Chebyshev;
-pub use contact::{Contact, contact};
+pub use contact::{SpanContact, contact};
 pub use cubic::CubicBezier;
 pub use curve::Curve;
 pub use dice::Dice;
@@ -99,7 +100,8 @@ pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
 pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
-pub use hull::convex_hull;
+pub use hull::plane_hull;
+pub use hull3::{Hull, convex_hull};
 pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
 pub use param::{ParamCurve, Sample};
@@ -114,8 +116,9 @@ pub use smooth::{
 };
 pub use stepped::stepped_spline;
 pub use surface::{
-    BSplineSurface, Border, Derivatives, Grid, ParamSurface, Patch, Plane, RefineDirection, Rim, Scheme,
-    Surface, SurfaceSample, Topology, Weave, refine, section, triangle_width,
+    BSplineSurface, Border, Contact, Derivatives, Grid, Joined, Joint, JointDeviation, Order, ParamSurface,
+    Patch, Plane, RefineDirection, Rim, Scheme, Surface, SurfaceSample, Topology, Weave, refine, section,
+    triangle_width,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

@@ -53,6 +53,8 @@ pub const SAMPLES: &[(&str, &[u8])] = &[
     ("K2.ZMS", include_bytes!("../../data/K2.ZMS")),
     ("K3.ZMB", include_bytes!("../../data/K3.ZMB")),
     ("K3.ZMS", include_bytes!("../../data/K3.ZMS")),
+    ("KETBEZ.JSON", include_bytes!("../../data/KETBEZ.JSON")),
+    ("KETHERM.JSON", include_bytes!("../../data/KETHERM.JSON")),
     ("KEZ.KOR", include_bytes!("../../data/KEZ.KOR")),
     ("KIGYO.KOR", include_bytes!("../../data/KIGYO.KOR")),
     ("KOR.ALP", include_bytes!("../../data/KOR.ALP")),

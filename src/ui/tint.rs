@@ -47,3 +47,23 @@ pub(crate) fn height(part: f64) -> Color {
     // A cast saturates, and NaN is 0.
     HEIGHTS[((part * HEIGHTS.len() as f64) as usize).min(HEIGHTS.len() - 1)]
 }
+
+/// Bands of a weight, from none over a tenth and a half to 1; magenta where it is negative.
+pub(crate) fn weight(weight: Option<f64>) -> Color {
+    let Some(weight) = weight else { return FLAT };
+    if weight <= -0.005 {
+        return if weight <= -0.05 { Color::LightMagenta } else { Color::Magenta };
+    }
+    let bands = [
+        FLAT,
+        Color::Blue,
+        Color::LightBlue,
+        Color::Cyan,
+        Color::Green,
+        Color::LightGreen,
+        Color::Yellow,
+        Color::LightRed,
+        Color::White,
+    ];
+    bands[[0.005, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8].iter().filter(|&&limit| weight > limit).count()]
+}

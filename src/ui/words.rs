@@ -4,7 +4,7 @@
 pub use super::phrase::{Hot, Phrase, Words};
 use crate::figure::FigureError;
 use crate::file::{FileError, Format};
-use crate::geometry::{GeometryError, Residuals};
+use crate::geometry::{Border, GeometryError, Residuals};
 use crate::machine::{Language, StorageError};
 use std::borrow::Cow;
 use std::time::Duration;
@@ -293,6 +293,10 @@ fn setting(name: &str) -> &str {
         "bias" => "eltolás",
         "tension" => "feszültség",
         "extended" => "perem",
+        "joint" => "csatlakozás",
+        "ratio" => "arány",
+        "free_poles" => "szabad pólusok",
+        "inner" => "segédpontok a peremen",
         "joints" => "csatlakozások",
         "tangents" => "érintők",
         "points" => "pontok",
@@ -591,6 +595,24 @@ pub(crate) const SURFACE_FOLLOWS: Words = Words("A felület követi a hálót", 
 pub(crate) const SURFACE_FOLLOWS_NOT: Words = Words("Csak húzáskor követ", "Follows only while dragging");
 pub(crate) const BORDER_REACHED: Words = Words("A peremig ér", "It ends at the border");
 pub(crate) const BORDER_DOUBLED: Words = Words("A perem előtt ér véget", "It ends before the border");
+pub(crate) const BORDER_INNER: Words =
+    Words("A perempontok segédpontok", "The border points are auxiliary points");
+pub(crate) const POLES_FREE: Words = Words("Szabad végek a pólusokban", "Free ends at the poles");
+pub(crate) const POLES_TRIPLE: Words = Words("A pólusok háromszoros pontok", "The poles are triple points");
+pub(crate) const POLES_JOINED: Words =
+    Words("A szemközti meridiánok összeérnek", "Opposite meridians are joined at the poles");
+
+/// Where a surface ends now; of splines, what its poles are.
+pub(crate) fn border(border: Border, splines: bool) -> Words {
+    match border {
+        Border::Free if splines => POLES_FREE,
+        Border::Free => POLES_TRIPLE,
+        Border::Doubled if splines => POLES_JOINED,
+        Border::Doubled => BORDER_DOUBLED,
+        Border::Reached => BORDER_REACHED,
+        Border::Inner => BORDER_INNER,
+    }
+}
 pub(crate) const COLLAPSED: Words = Words(
     "A háló egy vonalon fekszik: a felület vonallá zsugorodik",
     "The net lies on a line, and so does the surface",
@@ -612,7 +634,18 @@ pub(crate) const HELP_NET_FOLLOW: Words = Words(
     "the surface stays and follows every change: on, off",
 );
 pub(crate) const HELP_BORDER: Words =
-    Words("B-spline a peremig és a pólusig: be, ki", "B-spline up to border and pole: on, off");
+    Words("perem: kétszeres pontok, elért, segédpontok", "border: doubled, reached, auxiliary points");
+pub(crate) const HELP_POLES: Words =
+    Words("szabad végek a pólusokban: be, ki", "free ends at the poles: on, off");
+pub(crate) const HELP_TRIPLE: Words =
+    Words("pólus: kétszeres, elért, háromszoros", "poles: doubled, reached, triple points");
+pub(crate) const HELP_JOIN: Words =
+    Words("második folt; a csatlakozás feltétele", "a second patch; what is kept at the joint");
+pub(crate) const HELP_FRAME: Words = Words(
+    "K kontrollháló, konvex burok; W egy pont súlya",
+    "K control net, convex hull; W weight of a point",
+);
+pub(crate) const HELP_HULL: Words = Words("kontrollháló, konvex burok", "control net, convex hull");
 pub(crate) const HELP_INSPECT: Words =
     Words("zebracsíkok, Gauss-görbület, semmi", "zebra stripes, Gaussian curvature, none");
 pub(crate) const HELP_SECTION: Words =

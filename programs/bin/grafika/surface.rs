@@ -3,7 +3,7 @@
 use clap::Args;
 use grafika::design::NetDesign;
 use grafika::file::Method;
-use grafika::geometry::Topology;
+use grafika::geometry::{Border, Topology};
 use grafika::launch::Failure;
 
 /// What only surfaces have: parameters by direction.
@@ -30,6 +30,12 @@ pub(crate) struct SurfaceArgs {
     /// Lead a cubic B-spline surface up to its borders and poles
     #[arg(long)]
     extended: bool,
+    /// End the meridians of a surface like a sphere at its poles, each for itself: the poles become singular
+    #[arg(long, conflicts_with = "extended")]
+    free_poles: bool,
+    /// Take the border points of an open B-spline net as auxiliary points: the inner patches alone
+    #[arg(long, conflicts_with_all = ["extended", "free_poles"])]
+    inner: bool,
 }
 
 /// Parameters for both directions at once, as curves have them.
@@ -54,7 +60,10 @@ impl SurfaceArgs {
             ("--k0-v", self.k0_v),
         ];
         let number = numbers.into_iter().find(|(_, value)| value.is_some()).map(|(name, _)| name);
-        number.or(self.extended.then_some("--extended"))
+        let switches =
+            [("--extended", self.extended), ("--free-poles", self.free_poles), ("--inner", self.inner)];
+        let switch = switches.into_iter().find(|(_, given)| *given).map(|(name, _)| name);
+        number.or(switch)
     }
 
     /// An option of beta-splines by direction, and one of tangents, if they are given.
@@ -85,12 +94,27 @@ impl SurfaceArgs {
             settings.k0 = k0.or(settings.k0);
             settings.bias = bias.or(settings.bias);
             settings.tension = tension.or(settings.tension);
-            settings.extended = if self.extended { Some(true) } else { settings.extended };
         });
-        let torus = design.net.kind.topology() == Topology::Torus;
+        let border =
+            [(self.extended, Border::Reached), (self.free_poles, Border::Free), (self.inner, Border::Inner)];
+        let said = border.into_iter().find(|(given, _)| *given).map(|(_, border)| border);
+        let design = said.map_or(design.clone(), |border| design.with_border(border));
+        let topology = design.net.kind.topology();
+        let torus = topology == Topology::Torus;
         if self.extended && (design.method() != Method::BSpline3 || torus) {
             return Err(Failure::usage(
                 "--extended leads a cubic B-spline (--method bspline3) to its borders; this surface has none that it misses",
+            ));
+        }
+        if self.free_poles && topology != Topology::Sphere {
+            return Err(Failure::usage(
+                "--free-poles is for surfaces like a sphere, as .ZMS and .ZMB files hold them; this one has no poles",
+            ));
+        }
+        let blended = matches!(design.method(), Method::BSpline2 | Method::BSpline3 | Method::Beta);
+        if self.inner && !(topology == Topology::Open && blended) {
+            return Err(Failure::usage(
+                "--inner is for open nets of B-splines and beta-splines (--method bspline3), whose border points can be auxiliary",
             ));
         }
         Ok(design)

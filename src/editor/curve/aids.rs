@@ -8,7 +8,7 @@ use crate::editor::lens::Lens;
 use crate::editor::picture::Page;
 use crate::editor::seen::Item;
 use crate::editor::{Craft, Editor};
-use crate::geometry::{Closure, ParamCurve, Point, contact, convex_hull, norm};
+use crate::geometry::{Closure, ParamCurve, Point, contact, plane_hull, norm};
 use crate::screen::{Color, Stroke};
 use crate::ui::words;
 use crate::ui::{Area, Desk, Stay};
@@ -168,7 +168,7 @@ where
         if self.craft.aids.polygon == Polygon::Hull {
             // What is seen of a hull in space is the hull of what is seen of its points.
             let flat: Vec<Point<2>> = sketch.points.iter().map(|&point| self.lens.flat(point)).collect();
-            let hull = convex_hull(&flat);
+            let hull = plane_hull(&flat);
             for (&from, &to) in hull.iter().zip(hull.iter().cycle().skip(1)) {
                 if let [Some(&from), Some(&to)] = [from, to].map(|index| sketch.points.get(index)) {
                     side([from, to], Color::LightMagenta);

@@ -4,15 +4,15 @@ use super::Nets;
 use super::ask::ask_display;
 use super::plan::Family;
 use super::tables::Action;
-use crate::design::{DesignError, Index, NetDesign, Part};
+use crate::design::{Index, NetDesign, Part};
 use crate::editor::curve::ask::ask_real;
 use crate::editor::curve::beta::{BIAS, TENSION};
 use crate::editor::place::{ask_height, ask_place};
 use crate::editor::{Craft, Editor, refusal};
-use crate::file::{Method, Net, NetSettings};
-use crate::geometry::{RefineDirection, refine};
+use crate::file::{Method, NetSettings};
+use crate::geometry::{Border, Topology};
 use crate::machine::Asked;
-use crate::ui::words::{self, Phrase, Words};
+use crate::ui::words::{self, Words};
 use crate::ui::{Desk, Stay};
 use crate::work::{Next, quit};
 use std::ops::RangeInclusive;
@@ -62,12 +62,11 @@ impl Editor<Nets, 3> {
                 desk.tell(said, Stay::Briefly);
             }
             Action::Border => {
-                let reached = self.history.now().net.settings.extended != Some(true);
-                let design = self.history.now().with_settings(|it| it.extended = reached.then_some(true));
-                self.change_surface(desk, design);
-                let said = if reached { words::BORDER_REACHED } else { words::BORDER_DOUBLED };
-                desk.tell(said, Stay::Briefly);
+                let border = self.next_border();
+                self.change_surface(desk, self.history.now().with_border(border));
+                desk.tell(words::border(border, self.plan_is_of_splines()), Stay::Briefly);
             }
+            Action::Join => self.join(desk).await?,
             Action::Mirror => {
                 let heights = self.craft.plan.family == Family::Heights;
                 let axis = if heights { 2 } else { self.ask_axis(desk).await? };
@@ -75,9 +74,9 @@ impl Editor<Nets, 3> {
             }
             Action::Refine => {
                 let direction = self.ask_direction(desk).await?;
-                match self.refined(direction) {
+                match self.history.now().refined(direction) {
                     Ok(design) => self.change_surface(desk, design),
-                    Err(problem) => desk.tell(problem, Stay::UntilRead),
+                    Err(error) => desk.tell(refusal::of_refining(&error), Stay::UntilRead),
                 }
             }
             Action::Quit => {
@@ -90,22 +89,28 @@ impl Editor<Nets, 3> {
         Ok(Next::Work)
     }
 
+    /// The border after the present one: of splines poles are joined or free, of B-splines there are three.
+    fn next_border(&self) -> Border {
+        let now = self.history.now();
+        match (now.border(), now.net.kind.topology()) {
+            (Border::Doubled, _) if self.plan_is_of_splines() => Border::Free,
+            (Border::Doubled, _) => Border::Reached,
+            (Border::Reached, Topology::Sphere) => Border::Free,
+            (Border::Reached, Topology::Open) => Border::Inner,
+            _ => Border::Doubled,
+        }
+    }
+
+    fn plan_is_of_splines(&self) -> bool {
+        self.craft.plan.family == Family::Spline
+    }
+
     /// Commits another net; a surface in the picture follows it.
     pub(super) fn change_surface(&mut self, desk: &mut Desk<'_>, design: NetDesign) {
         self.history.change(design);
         if self.craft.drawn.is_some() {
             self.refresh(desk);
         }
-    }
-
-    /// The net refined along u (0) or v (1), if there is room for it.
-    fn refined(&self, direction: usize) -> Result<NetDesign, Phrase> {
-        let now = self.history.now();
-        let why = |error: DesignError| refusal::of_surface(&error);
-        let Some(scheme) = now.scheme().map_err(why)? else { return Ok(now.clone()) };
-        let direction = if direction == 0 { RefineDirection::U } else { RefineDirection::V };
-        let points = refine(scheme, &now.net.points, direction).map_err(|error| Phrase::plain(&error))?;
-        NetDesign { net: Net { points, ..now.net.clone() }, ..now.clone() }.fitting().map_err(why)
     }
 
     /// Shows the surface of the present net; if there is none, says why.

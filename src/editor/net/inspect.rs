@@ -60,14 +60,31 @@ const RADIUS: Words = Words("kisebbik görbületi sugár", "smaller radius of cu
 const STEP: f64 = 10.0;
 /// Coloured cells per cell of the net, in each direction.
 const FINE: usize = 28;
+/// The same where a patch has no cells of a net, as a Hermite patch.
+const FINEST: usize = 84;
 /// Largest number of coloured cells along one direction.
 const MOST_CELLS: usize = 256;
 impl Editor<Nets, 3> {
-    /// Switches inspection and section, and moves the plane; returns whether the event was for that.
+    /// Switches inspection, section, frame and weights, and moves the plane; returns whether the event was for that.
     pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
+        self.follow_weights(tick);
+        let normals = self.craft.plan.family == Family::Normals;
+        match tick.letter() {
+            Some('K') => {
+                let net_seen = self.craft.drawn.is_none() && !self.stage.is_result();
+                self.craft.frame = self.craft.frame.next(net_seen || self.craft.weight.is_some());
+                desk.tell(self.craft.frame.name(), Stay::Briefly);
+                return true;
+            }
+            Some('W') if !normals => {
+                self.switch_weights(desk, tick);
+                return true;
+            }
+            _ => {}
+        }
         match tick.key() {
             Some(Key::F(5)) => {
-                self.craft.inspection = self.craft.inspection.next(self.craft.plan.family == Family::Normals);
+                self.craft.inspection = self.craft.inspection.next(normals);
                 if let Some(name) = self.craft.inspection.name() {
                     desk.tell(name, Stay::Briefly);
                 }
@@ -120,40 +137,53 @@ impl Section {
 impl Inspection {
     /// Draws a surface in colours; `false` if nothing is inspected.
     pub(crate) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look, distance: f64) -> bool {
-        let [rows, columns] = drawn.spans;
-        let steps = FINE.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
-        let fine: Vec<(&dyn ParamSurface, Grid)> =
-            drawn.own().filter_map(|(surface, _)| Some((surface, surface.grid(steps).ok()?))).collect();
-        if fine.is_empty() {
-            return false;
-        }
-        let boxes = fine.iter().filter_map(|(surface, _)| surface.bounding_box());
-        let size = boxes.reduce(BoundingBox::union).map_or(1.0, |bounds| bounds.extent());
+        let size = drawn.own().filter_map(|(surface, _)| surface.bounding_box());
+        let Some(size) = size.reduce(BoundingBox::union).map(|bounds| bounds.extent()) else { return false };
         let reach = if distance == 0.0 { size / 8.0 } else { distance.abs() };
         let toward = look.view.toward();
-        let color: Box<dyn Fn(&Place<'_>) -> Color> = match self {
-            Inspection::Off => return false,
-            Inspection::Zebra => Box::new(move |place| place.zebra(toward)),
-            Inspection::Curvature => Box::new(move |place| place.curvature(size)),
-            Inspection::Radius => Box::new(move |place| tint::radius(place.radius(), reach)),
-        };
-        let mut colors = fine.iter().flat_map(|(surface, grid)| {
-            places(*surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place))
-        });
-        let grids: Vec<&Grid> = fine.iter().map(|(_, grid)| grid).collect();
-        draw_cells(screen, &grids, look, |_, _| (colors.next().unwrap_or(tint::FLAT), None));
-        drawn.gaps.iter().for_each(|gap| draw_gap(screen, gap, look));
-        for part in &drawn.parts {
-            if let Some(ink) = part.ink {
-                draw_wires(screen, &part.grid, look, ink);
+        match self {
+            Inspection::Off => false,
+            Inspection::Zebra => draw_tinted(screen, drawn, look, |place| place.zebra(toward)),
+            Inspection::Curvature => draw_tinted(screen, drawn, look, |place| place.curvature(size)),
+            Inspection::Radius => {
+                draw_tinted(screen, drawn, look, |place| tint::radius(place.radius(), reach))
             }
         }
-        true
     }
 }
 
+/// Draws a surface in small cells of a colour each; `false` if there is no surface.
+pub(super) fn draw_tinted(
+    screen: &mut Screen,
+    drawn: &Drawn,
+    look: Look,
+    color: impl Fn(&Place<'_>) -> Color,
+) -> bool {
+    let [rows, columns] = drawn.spans;
+    let alone = rows.max(columns) <= 2 && drawn.own().all(|(surface, _)| surface.steps(0, 0, 1) == 1);
+    let most = if alone { FINEST } else { FINE };
+    let steps = most.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
+    let fine: Vec<(&dyn ParamSurface, Grid)> =
+        drawn.own().filter_map(|(surface, _)| Some((surface, surface.grid(steps).ok()?))).collect();
+    if fine.is_empty() {
+        return false;
+    }
+    let mut colors = fine.iter().flat_map(|(surface, grid)| {
+        places(*surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place))
+    });
+    let grids: Vec<&Grid> = fine.iter().map(|(_, grid)| grid).collect();
+    draw_cells(screen, &grids, look, |_, _| (colors.next().unwrap_or(tint::FLAT), None));
+    drawn.gaps.iter().for_each(|gap| draw_gap(screen, gap, look));
+    for part in &drawn.parts {
+        if let Some(ink) = part.ink {
+            draw_wires(screen, &part.grid, look, ink);
+        }
+    }
+    true
+}
+
 /// The centre of a cell of a grid.
-struct Place<'s> {
+pub(super) struct Place<'s> {
     surface: &'s dyn ParamSurface,
     spans: [usize; 2],
     parameters: [f64; 2],
@@ -176,6 +206,11 @@ fn places(
 }
 
 impl Place<'_> {
+    /// The value of something that is given by spans and parameters.
+    pub(super) fn value(&self, of: impl Fn([usize; 2], [f64; 2]) -> Option<f64>) -> Option<f64> {
+        of(self.spans, self.parameters)
+    }
+
     fn zebra(&self, toward: Point<3>) -> Color {
         tint::zebra(self.surface.normal(self.spans, self.parameters), toward)
     }

@@ -3,7 +3,10 @@
 
 mod ask;
 mod commands;
+mod dump;
+mod frame;
 mod inspect;
+mod joint;
 mod map;
 mod normals;
 mod picture;
@@ -11,12 +14,16 @@ mod plan;
 mod show;
 pub(crate) mod surface;
 mod tables;
+mod weights;
 
 pub(crate) use inspect::{Inspection, Section};
 pub use plan::{Family, Plan, Start};
 pub use show::{SHOW_KEYS, Show, show};
 pub(crate) use surface::{Display, Drawn, Fill, draw_parts};
-pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS, NORMALS_KEYS};
+pub use tables::{
+    B_SPLINE_KEYS, B_SPLINE_POLES_KEYS, BETA_KEYS, BEZIER_KEYS, FINER_KEYS, HERMITE_KEYS, LOCAL_KEYS,
+    NORMALS_KEYS, SPLINE_POLES_KEYS,
+};
 
 use super::lens::Held;
 use super::picture::{Layer, Page};
@@ -32,6 +39,8 @@ use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Commands, Desk, Hint, Stay};
 use crate::work::Next;
 use ask::ask_display;
+use dump::Dump;
+use frame::Frame;
 use map::Map;
 use normals::{Beside, Facts};
 use serde::Serialize;
@@ -60,6 +69,12 @@ struct Nets {
     beside: Beside,
     /// What is known about such a surface.
     facts: Option<Facts>,
+    /// What is shown over the surface.
+    frame: Frame,
+    /// The point whose weight is shown.
+    weight: Option<Index>,
+    /// The point that was changed last.
+    last: Option<Index>,
 }
 
 /// What the mouse can hold.
@@ -89,6 +104,9 @@ impl Nets {
             chosen: None,
             beside: Beside::default(),
             facts: None,
+            frame: Frame::Off,
+            weight: None,
+            last: None,
         }
     }
 
@@ -96,35 +114,6 @@ impl Nets {
     fn asks_display(&self) -> bool {
         self.plan.family != Family::Heights
     }
-}
-
-/// The model as `dump` writes it. Angles are in degrees.
-#[derive(Serialize)]
-struct Dump {
-    points: Vec<Vec<Point<3>>>,
-    bias: [f64; 2],
-    tension: [f64; 2],
-    k0: [f64; 2],
-    degree: u8,
-    extended: bool,
-    surface: bool,
-    filled: bool,
-    azimuth: f64,
-    elevation: f64,
-    zoom: f64,
-    unsaved: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normals: Option<NormalsDump>,
-}
-
-/// What `dump` writes of surfaces with normals besides.
-#[derive(Serialize)]
-struct NormalsDump {
-    normals: Option<Vec<Vec<Point<3>>>>,
-    method: &'static str,
-    distance: f64,
-    beside: Beside,
-    facts: Option<normals::Told>,
 }
 
 impl Craft<3> for Nets {
@@ -144,7 +133,7 @@ impl Craft<3> for Nets {
     }
 
     fn commands(&self) -> Commands<Action> {
-        tables::of(self.plan.family)
+        tables::of(self.plan)
     }
 
     fn lens(&self) -> Viewer {
@@ -180,6 +169,7 @@ impl Craft<3> for Nets {
         }
         let mut design = NetDesign { net: Net { kind, ..net.clone() }, implied: self.plan.family.method() };
         if self.plan.family == Family::Normals {
+            (design.net.settings.joint, design.net.settings.ratio) = (None, None);
             // Any open net has a surface with normals.
             let named = design.net.settings.method.filter(|_| design.pn_method().is_some());
             design.net.settings.method = named;
@@ -235,34 +225,15 @@ impl Craft<3> for Nets {
 
     fn names_shape(&self, design: &NetDesign) -> bool {
         let settings = &design.net.settings;
-        let named = settings.method.is_some() || settings.extended.is_some();
+        let named = settings.method.is_some()
+            || settings.extended.is_some()
+            || settings.joint.is_some()
+            || matches!(design.border(), Border::Free | Border::Inner);
         self.plan.family != Family::Normals && named && self.draw_up(design).is_ok()
     }
 
     fn model(editor: &Editor<Nets, 3>) -> impl Serialize + 'static {
-        let (now, craft) = (editor.history.now(), &editor.craft);
-        let [azimuth, elevation, zoom] = editor.lens.look.angles();
-        Dump {
-            points: now.net.points.clone(),
-            bias: now.bias(),
-            tension: now.tension(),
-            k0: now.k0(),
-            degree: if now.method() == Method::BSpline2 { 2 } else { 3 },
-            extended: now.border() == Border::Reached,
-            surface: craft.drawn.is_some(),
-            filled: craft.display == Display::Filled,
-            azimuth,
-            elevation,
-            zoom,
-            unsaved: editor.history.unsaved(),
-            normals: (craft.plan.family == Family::Normals).then(|| NormalsDump {
-                normals: now.net.normals.clone(),
-                method: now.method().name(),
-                distance: now.distance(),
-                beside: craft.beside,
-                facts: craft.facts.as_ref().map(|facts| facts.told().clone()),
-            }),
-        }
+        Dump::of(editor)
     }
 
     fn place(design: &NetDesign, handle: Handle) -> Option<Point<3>> {
@@ -297,6 +268,7 @@ impl Craft<3> for Nets {
         let shown = editor.craft.names_shape(editor.history.now());
         let craft = &mut editor.craft;
         (craft.section, craft.chosen, craft.drawn) = (None, None, drawn.filter(|_| shown));
+        (craft.frame, craft.weight, craft.last) = (Frame::Off, None, None);
         if craft.plan.family == Family::Normals {
             craft.beside = Beside::default();
             let points = editor.history.now().net.points.iter().flatten().copied();
@@ -305,6 +277,7 @@ impl Craft<3> for Nets {
             }
             editor.shown.follow = true;
         }
+        editor.frame_joined();
     }
 
     async fn before_event(editor: &mut Editor<Nets, 3>, _: &mut Desk<'_>) -> Asked<()> {
@@ -351,6 +324,7 @@ impl Craft<3> for Nets {
         held: Held<Handle, 3>,
         moved: NetDesign,
     ) -> Asked<()> {
+        editor.craft.last = Some(held.handle.index());
         if held.at == held.from {
             return match held.handle {
                 Handle::Point(index) => editor.change(desk, Some(index)).await,

@@ -80,8 +80,15 @@ impl Editor<Nets, 3> {
         {
             return vec![Item::Own(Box::new(gauss))];
         }
+        if self.stage.begun()
+            && let Some(items) = self.weight_items()
+        {
+            return items;
+        }
         if let Some(drawn) = &self.craft.drawn {
-            return vec![self.surface(Rc::clone(drawn), Color::White)];
+            let mut items = vec![self.surface(Rc::clone(drawn), Color::White)];
+            items.extend(self.craft.frame.items(self.history.now()));
+            return items;
         }
         let mut items = Vec::new();
         if !self.stage.begun() {
@@ -97,6 +104,7 @@ impl Editor<Nets, 3> {
         items.extend(
             self.strokes(&net).into_iter().map(|(from, to, ink)| Item::Line { ends: [from, to], ink }),
         );
+        items.extend(self.craft.frame.items(&net));
         let knot = |index: Index| {
             let fill = if self.picked() == Some(index) { Color::LightRed } else { Color::Black };
             net.point(index).map(|at| Item::Knot { at, fill })
@@ -133,7 +141,10 @@ impl Editor<Nets, 3> {
                 None if self.craft.plan.family == Family::Normals => {
                     self.draw_radii(page.screen, page.language);
                 }
-                None => self.draw_values(page.screen, page.language),
+                None => {
+                    self.draw_values(page.screen, page.language);
+                    self.draw_joint(page.screen, (2, VALUES_Y), page.language);
+                }
             },
             Layer::Over
                 if self.craft.plan.family == Family::Normals
@@ -154,6 +165,11 @@ impl Editor<Nets, 3> {
         let inked = |lines: Vec<Line>, ink: Color| lines.into_iter().map(move |(from, to)| (from, to, ink));
         match self.craft.plan.family {
             Family::Heights => inked(ground_lines(net), Color::DarkGray).collect(),
+            Family::Hermite if net.joint().is_some() => {
+                let legs = net.polygons().into_iter().flat_map(|(line, _)| pairs(&line)).collect();
+                let borders = inked(border_lines(net), Color::White);
+                borders.chain(inked(legs, Color::LightGray)).collect()
+            }
             Family::Hermite => {
                 let corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|corner| net.point(corner));
                 let sides = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -241,10 +257,20 @@ impl Editor<Nets, 3> {
         (x, y): (i32, i32),
         of: impl Fn(&NetDesign, Index) -> Option<Point<3>>,
     ) -> Option<Index> {
-        if self.craft.drawn.is_some() || self.craft.beside.gauss {
+        let hidden = self.craft.drawn.is_some() && self.craft.weight.is_none();
+        if hidden || self.craft.beside.gauss {
             return None;
         }
-        let net = self.history.now();
+        self.nearest_of(self.history.now(), (x, y), of)
+    }
+
+    /// The point of a net at a pixel, the one nearest to the viewer.
+    pub(super) fn nearest_of(
+        &self,
+        net: &NetDesign,
+        (x, y): (i32, i32),
+        of: impl Fn(&NetDesign, Index) -> Option<Point<3>>,
+    ) -> Option<Index> {
         let under = net.indices().filter_map(|index| {
             let point = of(net, index)?;
             let (px, py) = self.lens.pixel(point);
@@ -255,16 +281,17 @@ impl Editor<Nets, 3> {
     }
 }
 
-/// The four border curves of a Hermite patch and the cross-boundary tangents (chapter 3.3).
-fn border_lines(net: &NetDesign) -> Vec<(Point<3>, Point<3>)> {
+/// The four border curves of a Hermite patch and the cross-boundary tangents (chapter 3.3); of two patches those of both.
+fn border_lines(net: &NetDesign) -> Vec<Line> {
     let Ok(surface) = net.surface() else { return Vec::new() };
     let mut lines = Vec::new();
-    for (side, along_u) in [(0.0, false), (1.0, false), (0.0, true), (1.0, true)] {
+    let sides = [(0.0, false), (1.0, false), (0.0, true), (1.0, true)];
+    for (span, (side, along_u)) in (0..surface.spans()[0]).flat_map(|span| sides.map(|side| (span, side))) {
         let mut before = None;
         for step in 0..=BORDER_STEPS {
             let t = step as f64 / BORDER_STEPS as f64;
             let (u, v) = if along_u { (t, side) } else { (side, t) };
-            let Some(at) = surface.at([0, 0], [u, v]) else { continue };
+            let Some(at) = surface.at([span, 0], [u, v]) else { continue };
             let across = if along_u { at.v } else { at.u };
             let tip = std::array::from_fn(|d| at.point[d] + TANGENT * across[d]);
             lines.push((at.point, tip));
@@ -273,6 +300,11 @@ fn border_lines(net: &NetDesign) -> Vec<(Point<3>, Point<3>)> {
         }
     }
     lines
+}
+
+/// The lines from every point to the next.
+fn pairs(points: &[Point<3>]) -> Vec<Line> {
+    points.iter().zip(points.iter().skip(1)).map(|(from, to)| (*from, *to)).collect()
 }
 
 /// A tension with one decimal, or in scientific notation if that does not fit.

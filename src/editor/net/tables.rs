@@ -1,8 +1,9 @@
 //! The commands of the surface programs.
 
-use super::plan::Family;
+use super::plan::{Family, Plan};
 use crate::design::Index;
 use crate::editor::keys::{HOME, QUIT, SAVE, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
+use crate::geometry::Topology;
 use crate::machine::Key;
 use crate::ui::words::{self, Words};
 use crate::ui::{Button, Command, Commands, KeyHelp};
@@ -20,7 +21,10 @@ pub(super) enum Action {
     K0(Option<usize>),
     Quit,
     Follow,
+    /// The next kind of border or poles.
     Border,
+    /// A second patch, or what is kept at the joint.
+    Join,
     Mirror,
     Refine,
     /// A normal, by the number of its point.
@@ -67,6 +71,12 @@ const TURN: [Row; 4] =
     [Command::told(TURN_DRAG), Command::told(TURN_KEYS), Command::told(ZOOM), Command::told(HOME)];
 const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_NET_FOLLOW), Action::Follow);
 const BORDER: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_BORDER), Action::Border);
+const POLES: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_POLES), Action::Border);
+const TRIPLE: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_TRIPLE), Action::Border);
+const JOIN: Row = Command::key(Key::Char('J'), (Words("J", "J"), words::HELP_JOIN), Action::Join);
+const FRAME: Row = Command::elsewhere(Key::Char('K'), (Words("K W", "K W"), words::HELP_FRAME));
+const WEIGHT: Row = Command::elsewhere(Key::Char('W'), (Words("W", "W"), words::HELP_FRAME)).untold();
+const HULL: Row = Command::elsewhere(Key::Char('K'), (Words("K", "K"), words::HELP_HULL));
 const INSPECT: Row = Command::elsewhere(Key::F(5), (Words("F5", "F5"), words::HELP_INSPECT));
 const SECTION: Row = Command::elsewhere(Key::F(6), (Words("F6", "F6"), words::HELP_SECTION));
 const MIRROR: Row = Command::key(Key::F(7), (Words("F7", "F7"), words::HELP_MIRROR), Action::Mirror);
@@ -114,71 +124,97 @@ const NORMALS: Commands<Action> = Commands(&[
     COMPARE,
     INSPECT_RADII,
     SECTION,
+    HULL,
     MIRROR,
     GAUSS,
     STORE,
     BACK,
 ]);
-const PLAIN: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    MIRROR, STORE, BACK,
+const HERMITE: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, JOIN, INSPECT, SECTION,
+    FRAME, WEIGHT, MIRROR, STORE, BACK,
 ]);
 const LOCAL: Commands<Action> = Commands(&[
     CHANGE, SURFACE, RESULT, K0, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    MIRROR, STORE, BACK,
+    FRAME, WEIGHT, MIRROR, STORE, BACK,
 ]);
 const BETA: Commands<Action> = Commands(&[
     CHANGE, SURFACE, RESULT, BIAS, TENSION, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT,
-    SECTION, MIRROR, STORE, BACK,
+    SECTION, FRAME, WEIGHT, MIRROR, STORE, BACK,
 ]);
 const B_SPLINE: Commands<Action> = Commands(&[
     CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, BORDER, INSPECT,
-    SECTION, MIRROR, REFINE, STORE, BACK,
+    SECTION, FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+]);
+const B_SPLINE_POLES: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, TRIPLE, INSPECT,
+    SECTION, FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
 ]);
 const FINER: Commands<Action> = Commands(&[
     CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    MIRROR, REFINE, STORE, BACK,
+    FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+]);
+const SPLINE_POLES: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, POLES, INSPECT,
+    SECTION, FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+]);
+const BEZIER: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, JOIN, INSPECT, SECTION,
+    FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
 ]);
 
-/// The commands of a family of programs.
-pub(super) fn of(family: Family) -> Commands<Action> {
-    match family {
-        Family::Hermite => PLAIN,
+/// The commands of a program.
+pub(super) fn of(plan: &Plan) -> Commands<Action> {
+    let poles = plan.kind.topology() == Topology::Sphere;
+    match plan.family {
+        Family::Hermite => HERMITE,
         Family::Local => LOCAL,
         Family::Beta => BETA,
+        Family::BSpline if poles => B_SPLINE_POLES,
         Family::BSpline => B_SPLINE,
         Family::Normals => NORMALS,
-        Family::Spline | Family::Heights | Family::Bezier => FINER,
+        Family::Spline if poles => SPLINE_POLES,
+        Family::Bezier => BEZIER,
+        Family::Spline | Family::Heights => FINER,
     }
 }
 
-/// The help page of a program without parameters.
-pub const KEYS: &[KeyHelp] = &PLAIN.help::<{ PLAIN.lines() }>();
 /// The help page of surfaces with normals.
 pub const NORMALS_KEYS: &[KeyHelp] = &NORMALS.help::<{ NORMALS.lines() }>();
-/// The same with a coefficient in each direction.
+/// The help page of Hermite patches.
+pub const HERMITE_KEYS: &[KeyHelp] = &HERMITE.help::<{ HERMITE.lines() }>();
+/// The help page of surfaces with a coefficient in each direction.
 pub const LOCAL_KEYS: &[KeyHelp] = &LOCAL.help::<{ LOCAL.lines() }>();
 /// The same with bias and tension in each direction.
 pub const BETA_KEYS: &[KeyHelp] = &BETA.help::<{ BETA.lines() }>();
 /// The help page of B-splines.
 pub const B_SPLINE_KEYS: &[KeyHelp] = &B_SPLINE.help::<{ B_SPLINE.lines() }>();
-/// The help page of splines and the Bézier patch.
+/// The same with poles.
+pub const B_SPLINE_POLES_KEYS: &[KeyHelp] = &B_SPLINE_POLES.help::<{ B_SPLINE_POLES.lines() }>();
+/// The help page of splines.
 pub const FINER_KEYS: &[KeyHelp] = &FINER.help::<{ FINER.lines() }>();
+/// The same with poles.
+pub const SPLINE_POLES_KEYS: &[KeyHelp] = &SPLINE_POLES.help::<{ SPLINE_POLES.lines() }>();
+/// The help page of Bézier patches.
+pub const BEZIER_KEYS: &[KeyHelp] = &BEZIER.help::<{ BEZIER.lines() }>();
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const ALL: [Commands<Action>; 9] =
+        [HERMITE, LOCAL, BETA, B_SPLINE, B_SPLINE_POLES, FINER, SPLINE_POLES, BEZIER, NORMALS];
+
     #[test]
     fn every_text_fits_its_button() {
-        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER, NORMALS] {
+        for commands in ALL {
             assert_eq!(commands.too_wide(), [""; 0]);
         }
     }
 
     #[test]
     fn no_key_has_two_meanings() {
-        for commands in [PLAIN, LOCAL, BETA, B_SPLINE, FINER, NORMALS] {
+        for commands in ALL {
             assert_eq!(commands.shared_keys(), []);
         }
         assert_eq!(super::super::show::COMMANDS.shared_keys(), []);

@@ -7,10 +7,13 @@
 //! What all surfaces can do is [`ParamSurface`]; sampling, sections and shading are written there once.
 
 mod bspline;
+mod contact;
 mod exact;
 mod fit;
 mod grid;
 mod inspect;
+mod joined;
+mod joint;
 mod param;
 mod patch;
 mod patches;
@@ -21,8 +24,11 @@ mod tensor;
 mod weave;
 
 pub use bspline::{BSplineSurface, Rim};
+pub use contact::{Contact, Deviation as JointDeviation, Order};
 pub(super) use grid::indices;
 pub use grid::{Grid, triangle_width};
+pub use joined::Joined;
+pub use joint::Joint;
 pub use param::{ParamSurface, SurfaceSample};
 pub use patch::{Derivatives, Patch};
 pub use patches::Surface;

@@ -61,6 +61,8 @@ enum Closing {
 /// - Interpolating splines: everywhere; the points between are those of the surface.
 /// - Bézier nets: by raising the degree.
 ///
+/// Nets whose border points are auxiliary ([`Border::Inner`]) have none.
+///
 /// ```
 /// use grafika::geometry::{Method, ParamSurface, RefineDirection, Scheme, Surface, Topology, refine};
 ///
@@ -104,9 +106,10 @@ pub fn refine(
 /// More points in every row.
 fn finer_rows(scheme: Scheme, net: &[Line]) -> Result<Net, GeometryError> {
     let rule = rule(scheme.v, scheme, scheme.topology == Topology::Torus)?;
+    let free = scheme.border == Border::Free;
     match (scheme.topology, rule) {
-        (Topology::Sphere, Rule::Spline) => finer_rings(net),
-        (Topology::Sphere, Rule::Cubic) => {
+        (Topology::Sphere, Rule::Spline) if !free => finer_rings(net),
+        (Topology::Sphere, Rule::Cubic) if !free => {
             let closing = finer_poles(net);
             net.iter().map(|row| rule.apply(row, closing)).collect()
         }
@@ -117,7 +120,11 @@ fn finer_rows(scheme: Scheme, net: &[Line]) -> Result<Net, GeometryError> {
 
 /// What becomes of the lines of one direction.
 fn rule(method: Method, scheme: Scheme, closed: bool) -> Result<Rule, GeometryError> {
+    let auxiliary = scheme.border == Border::Inner && scheme.topology == Topology::Open;
     let reason = match method {
+        Method::BSpline2 | Method::BSpline3 | Method::Beta { .. } if auxiliary => {
+            "its border points are auxiliary ones, and those of the finer net would lie inside of them"
+        }
         Method::Bezier => return Ok(Rule::Elevation),
         Method::Spline => return Ok(Rule::Spline),
         Method::BSpline2 => return Ok(Rule::Quadratic),

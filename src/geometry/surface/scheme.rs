@@ -35,7 +35,7 @@ impl Topology {
     }
 }
 
-/// Where a cubic B-spline surface ends.
+/// Where a cubic B-spline surface ends, and what becomes of poles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Border {
     /// As the book's programs draw it: border points count twice (3.36), so that the surface stops a sixth of
@@ -45,6 +45,13 @@ pub enum Border {
     /// Auxiliary points beyond the border lead the surface to it and close it over the poles (3.41-3.46,
     /// 3.51-3.56 with bias 1 and tension 0).
     Reached,
+    /// The poles of a sphere are ordinary ends of every meridian, which know nothing of the opposite one: natural ends of
+    /// splines (figure 3.8a), triple points of cubic B-splines (3.40), the borders (3.41) of beta-splines. The poles are
+    /// singular. Other topologies have [`Border::Doubled`].
+    Free,
+    /// The border points of an open net of B-splines or beta-splines are auxiliary points: the patches between the
+    /// inner points alone (figures 3.20a, 3.21a). Other topologies and methods have [`Border::Doubled`].
+    Inner,
 }
 
 /// How a surface follows its net.

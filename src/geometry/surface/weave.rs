@@ -62,6 +62,10 @@ fn along_v(scheme: Scheme, net: &[Vec<Point<3>>]) -> Result<(Rows, Direction), G
     let (method, ends) = match (scheme.topology, scheme.v) {
         (Topology::Open, method) => between_borders(method, scheme.border),
         (Topology::Torus, method) => (method, Ends::Closed),
+        (Topology::Sphere, Method::BSpline3) if scheme.border == Border::Free => {
+            return with_triple_poles(scheme.v, net);
+        }
+        (Topology::Sphere, method) if scheme.border == Border::Free => between_borders(method, scheme.border),
         (Topology::Sphere, Method::Spline | Method::Local { .. } | Method::Coons { .. }) => {
             return over_the_poles(scheme.v, net);
         }
@@ -80,6 +84,9 @@ fn along_v(scheme: Scheme, net: &[Vec<Point<3>>]) -> Result<(Rows, Direction), G
 fn between_borders(method: Method, border: Border) -> (Method, Ends) {
     match (method, border) {
         (Method::BSpline3, Border::Reached) => (NEUTRAL, Ends::Open),
+        (Method::BSpline2 | Method::BSpline3 | Method::Beta { .. }, Border::Inner) => {
+            (method, Ends::Auxiliary)
+        }
         (Method::BSpline2 | Method::BSpline3, _) => (method, Ends::Doubled),
         _ => (method, Ends::Open),
     }
@@ -105,6 +112,17 @@ fn smoothness(method: Method) -> usize {
         Method::Beta { .. } | Method::Bezier | Method::Arcs => 0,
         Method::BSpline2 | Method::Local { .. } | Method::Coons { .. } => 1,
     }
+}
+
+/// The poles of a cubic B-spline count three times (3.40): every meridian reaches them straight, for itself.
+fn with_triple_poles(method: Method, net: &[Vec<Point<3>>]) -> Result<(Rows, Direction), GeometryError> {
+    let columns = net.first().map_or(0, Vec::len);
+    let weights = Weights::with_ends(method, Ends::Doubled, columns.saturating_add(2))?;
+    let framed = |row: &Vec<Point<3>>| -> Vec<Point<3>> {
+        row.first().into_iter().chain(row).chain(row.last()).copied().collect()
+    };
+    let rows: Result<Rows, _> = net.iter().map(|row| weights.arcs(&framed(row))).collect();
+    Ok((rows?, direction(&weights, method, Ends::Doubled)))
 }
 
 /// A meridian goes on over both poles as the opposite one, and both are one closed curve (3.64-3.67).
