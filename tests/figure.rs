@@ -349,6 +349,14 @@ fn files_are_rendered() {
     assert!(attributes(&svg, "d").iter().all(|data| data.starts_with("M60 80 ") && data.ends_with(" Z")));
     rendered("bezier.svg", &[&six, "--method", "bezier"]);
     rendered("turned.svg", &[&cube, "--method", "spline", "--view", "-1,0.5,2"]);
+    // The top views of (4.17): the axis y is to the right, and x goes down from above, up from below.
+    let top = |view: &str| {
+        let svg = rendered("top.svg", &[&cube, "--method", "bezier", "--view", view, "--points"]);
+        attributes(&String::from_utf8(svg).unwrap(), "d")
+    };
+    assert_eq!(top("0,0,1"), top("0,0,7"));
+    assert_eq!(top("0,0,1"), top("-0,-0,1"));
+    assert_ne!(top("0,0,1"), top("0,0,-1"));
 }
 
 #[test]
@@ -360,7 +368,7 @@ fn wrong_command_lines_are_usage_errors() {
         (&[], "--output"),
         (&["-o", "a.png", "--width", "15"], "16..=16384"),
         (&["-o", "a.png", "--view", "1,2,3"], "space curves"),
-        (&["-o", "a.png", "--view", "0,0,3"], "three numbers"),
+        (&["-o", "a.png", "--view", "0,0,0"], "three numbers"),
     ];
     for (arguments, said) in cases {
         let output = render(&[&[six.as_str(), "--method", "spline"], arguments].concat());

@@ -415,6 +415,8 @@ pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "drag to 
 pub(crate) const HELP_TURN_KEYS: Words = Words("forgatás 3 fokkal", "turn by 3 degrees");
 pub(crate) const HELP_ZOOM: Words = Words("nagyítás, kicsinyítés", "zoom in, out");
 pub(crate) const HELP_HOME: Words = Words("az eredeti nézet", "back to the first view");
+pub(crate) const HELP_SIGHT: Words =
+    Words("vetítés: párhuzamos, középpontos", "projection: parallel, central");
 pub(crate) const NOT_IN_SPACE: Words =
     Words("Ebben a fájlban nem térbeli kontrollpontok vannak", "This file holds no control points in space");
 pub(crate) const OUTSIDE_SPACE: Words =

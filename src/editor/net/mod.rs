@@ -26,8 +26,8 @@ use super::{Craft, Editor, refusal};
 use crate::design::{DesignError, Index, NetDesign, Part, nets};
 use crate::file::{Document, Format, Method, Net, NetKind, NetSettings};
 use crate::geometry::{Border, BoundingBox, ParamSurface, Point};
-use crate::machine::{Asked, Asking, Tick};
-use crate::ui::look::{Look, Poles, Viewer};
+use crate::machine::{Asked, Asking, Key, Tick};
+use crate::ui::look::{Look, Poles, SIGHT_KEY, Sight, Viewer};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Commands, Desk, Hint, Stay};
 use crate::work::Next;
@@ -112,6 +112,7 @@ struct Dump {
     azimuth: f64,
     elevation: f64,
     zoom: f64,
+    projection: Sight,
     unsaved: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     normals: Option<NormalsDump>,
@@ -254,6 +255,7 @@ impl Craft<3> for Nets {
             azimuth,
             elevation,
             zoom,
+            projection: editor.lens.look.sight(),
             unsaved: editor.history.unsaved(),
             normals: (craft.plan.family == Family::Normals).then(|| NormalsDump {
                 normals: now.net.normals.clone(),
@@ -315,6 +317,12 @@ impl Craft<3> for Nets {
     }
 
     fn looked(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, tick: &Tick) -> bool {
+        if tick.letter().map(Key::Char) == Some(SIGHT_KEY) {
+            let sight = editor.lens.look.sight().next();
+            editor.lens.look = editor.lens.look.seen_from(sight, editor.bounds());
+            desk.tell(sight.told(), Stay::Briefly);
+            return true;
+        }
         let display = match tick.letter().filter(|_| editor.stage.is_result() && editor.craft.asks_display())
         {
             Some('D') => Display::Wire,
@@ -410,5 +418,12 @@ impl Craft<3> for Nets {
 impl Editor<Nets, 3> {
     fn map(&self) -> Map {
         Map::new(self.history.now().choices())
+    }
+
+    /// A box round the net and the surface that is drawn.
+    fn bounds(&self) -> Option<BoundingBox<3>> {
+        let net = BoundingBox::around(self.history.now().net.points.iter().flatten().copied());
+        let drawn = self.craft.drawn.as_ref().and_then(|drawn| drawn.bounds());
+        net.into_iter().chain(drawn).reduce(BoundingBox::union)
     }
 }

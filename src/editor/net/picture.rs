@@ -58,7 +58,7 @@ impl Own<3> for Surfaced {
 
     /// Lines cannot tell what colours tell.
     fn plot(&self, figure: &mut Figure) -> bool {
-        let view = self.look.view;
+        let view = self.look.seen();
         let grids: Vec<Grid> = self.drawn.parts.iter().map(|part| part.grid.clone()).collect();
         figure.plot_surfaces(&grids, &view, hidden(self.display));
         for line in self.section.into_iter().flat_map(|section| section.lines(&self.drawn)) {
@@ -249,7 +249,7 @@ impl Editor<Nets, 3> {
             let point = of(net, index)?;
             let (px, py) = self.lens.pixel(point);
             let near = (px - x).pow(2) + (py - y).pow(2) <= REACH * REACH;
-            near.then(|| (index, self.lens.look.view.depth(point)))
+            near.then(|| (index, self.lens.look.seen().depth(point)))
         });
         under.max_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(index, _)| index)
     }

@@ -249,7 +249,7 @@ fn seen(vertices: &[Vertex]) -> Option<((i32, i32), [usize; 2])> {
 
 fn vertex(look: Look, point: Point<3>) -> Vertex {
     let (x, y) = look.to_screen(point);
-    Vertex { x, y, depth: look.view.depth(point) as f32 }
+    Vertex { x, y, depth: look.seen().depth(point) as f32 }
 }
 
 /// Whether the lower side of a height field's cell is visible: its corners then have the opposite orientation.

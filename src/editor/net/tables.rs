@@ -2,8 +2,9 @@
 
 use super::plan::Family;
 use crate::design::Index;
-use crate::editor::keys::{HOME, QUIT, SAVE, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
+use crate::editor::keys::{HOME, QUIT, SAVE, SIGHT, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
 use crate::machine::Key;
+use crate::ui::look::SIGHT_KEY;
 use crate::ui::words::{self, Words};
 use crate::ui::{Button, Command, Commands, KeyHelp};
 
@@ -65,6 +66,7 @@ const K0: Row = Command::button(
 const DRAG: Row = Command::told((Words("egér", "mouse"), words::HELP_NET_DRAG));
 const TURN: [Row; 4] =
     [Command::told(TURN_DRAG), Command::told(TURN_KEYS), Command::told(ZOOM), Command::told(HOME)];
+const PROJECTION: Row = Command::elsewhere(SIGHT_KEY, SIGHT);
 const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_NET_FOLLOW), Action::Follow);
 const BORDER: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_BORDER), Action::Border);
 const INSPECT: Row = Command::elsewhere(Key::F(5), (Words("F5", "F5"), words::HELP_INSPECT));
@@ -110,6 +112,7 @@ const NORMALS: Commands<Action> = Commands(&[
     TURN[1],
     TURN[2],
     TURN[3],
+    PROJECTION,
     FOLLOW,
     COMPARE,
     INSPECT_RADII,
@@ -120,24 +123,24 @@ const NORMALS: Commands<Action> = Commands(&[
     BACK,
 ]);
 const PLAIN: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    MIRROR, STORE, BACK,
-]);
-const LOCAL: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, K0, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    MIRROR, STORE, BACK,
-]);
-const BETA: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, BIAS, TENSION, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, INSPECT,
     SECTION, MIRROR, STORE, BACK,
 ]);
+const LOCAL: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, K0, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW,
+    INSPECT, SECTION, MIRROR, STORE, BACK,
+]);
+const BETA: Commands<Action> = Commands(&[
+    CHANGE, SURFACE, RESULT, BIAS, TENSION, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION,
+    FOLLOW, INSPECT, SECTION, MIRROR, STORE, BACK,
+]);
 const B_SPLINE: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, BORDER, INSPECT,
-    SECTION, MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, BORDER,
+    INSPECT, SECTION, MIRROR, REFINE, STORE, BACK,
 ]);
 const FINER: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, INSPECT,
+    SECTION, MIRROR, REFINE, STORE, BACK,
 ]);
 
 /// The commands of a family of programs.
