@@ -6,6 +6,7 @@ use crate::geometry::{
     BoundingBox, Closure, CubicBezier, GeometryError, Grid, ParamCurve, Point, Projection, View,
 };
 use crate::screen::Color;
+use std::collections::HashMap;
 
 /// Tolerance of arcs relative to the size of the curve: far below a thousandth of a pixel in a picture 800 pixels
 /// wide.
@@ -133,11 +134,11 @@ impl Figure {
         self.disc(at, POINT_RADIUS, Style::filled(POINT, EDGE), label);
     }
 
-    /// Adds control points with their numbers from 1 on.
+    /// Adds control points with their numbers from 1 on. Points at the same place are one, with all their numbers, as
+    /// in "4-6".
     pub fn plot_points(&mut self, points: &[Point<2>]) {
-        for (number, &point) in (1..).zip(points) {
-            let number: usize = number;
-            self.plot_point(point, Some(number.to_string()));
+        for (point, numbers) in places(points) {
+            self.plot_point(point, Some(ranges(&numbers)));
         }
     }
 
@@ -178,6 +179,31 @@ impl Figure {
     }
 }
 
+/// Different places in the order of their first points, with the numbers of their points from 1 on.
+fn places(points: &[Point<2>]) -> Vec<(Point<2>, Vec<usize>)> {
+    let mut found: HashMap<[u64; 2], usize> = HashMap::new();
+    let mut places: Vec<(Point<2>, Vec<usize>)> = Vec::new();
+    for (number, &point) in (1..).zip(points) {
+        // Zero has one sign here.
+        let at = *found.entry(point.map(|x| (x + 0.0).to_bits())).or_insert(places.len());
+        match places.get_mut(at) {
+            Some((_, numbers)) => numbers.push(number),
+            None => places.push((point, vec![number])),
+        }
+    }
+    places
+}
+
+/// Ascending numbers as they are written: runs of neighbours by their ends.
+fn ranges(numbers: &[usize]) -> String {
+    let runs = numbers.chunk_by(|one, next| one + 1 == *next);
+    let texts = runs.filter_map(|run| match (run.first()?, run.last()?) {
+        (first, last) if first == last => Some(first.to_string()),
+        (first, last) => Some(format!("{first}-{last}")),
+    });
+    texts.collect::<Vec<_>>().join(", ")
+}
+
 /// A curve of space as a view shows it.
 #[derive(Debug)]
 struct Seen<'c> {
@@ -206,7 +232,7 @@ impl ParamCurve<2> for Seen<'_> {
         let grows = [by_first, by_second].map(|by| size * size * by[2] / distance);
         let grows = [grows[0], grows[1] + 2.0 * grows[0] * size * by_first[2] / distance];
         // What is magnified: the place from the target, which stays.
-        let from = self.view.from_target(point);
+        let from = self.view.beside_target(point);
         let by = |d: usize| {
             [
                 by_first[d] * size + from[d] * grows[0],
@@ -275,6 +301,16 @@ mod tests {
         for (end, point) in [(ends.0, p[0]), (ends.1, p[3])] {
             assert!(end.iter().zip(view.place(point)).all(|(a, b)| (a - b).abs() < 1e-5));
         }
+    }
+
+    #[test]
+    fn points_at_a_place_have_one_disc() {
+        let [a, b, c] = [[1.0, 2.0], [0.0, 5.0], [-0.0, 5.0]];
+        let found = places(&[a, b, c, b, a, [9.0, 9.0], a]);
+        let texts: Vec<String> = found.iter().map(|(_, numbers)| ranges(numbers)).collect();
+        assert_eq!(texts, ["1, 5, 7", "2-4", "6"]);
+        assert_eq!(found.iter().map(|(place, _)| *place).collect::<Vec<_>>(), [a, b, [9.0, 9.0]]);
+        assert!(places(&[]).is_empty());
     }
 
     #[test]

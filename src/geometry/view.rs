@@ -140,7 +140,7 @@ impl View {
     }
 
     /// The same from the place that every projection shows alike.
-    pub(crate) fn from_target(&self, point: Point<3>) -> Point<3> {
+    pub(crate) fn beside_target(&self, point: Point<3>) -> Point<3> {
         let (seen, target) = (self.seen(point), self.seen(self.target));
         std::array::from_fn(|d| seen[d] - target[d])
     }

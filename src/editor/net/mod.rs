@@ -14,7 +14,7 @@ mod tables;
 
 pub(crate) use inspect::{Inspection, Section};
 pub use plan::{Family, Plan, Start};
-pub use show::{SHOW_KEYS, Show, show};
+pub use show::{Constant, SHOW_KEYS, Show, show};
 pub(crate) use surface::{Display, Drawn, Fill, draw_parts};
 pub use tables::{B_SPLINE_KEYS, BETA_KEYS, FINER_KEYS, KEYS, LOCAL_KEYS, NORMALS_KEYS};
 

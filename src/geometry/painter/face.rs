@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 const END: f64 = 1e-3;
 
 /// A flat face in the picture: pixels to the right and down, depth.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Face {
     pub(super) number: usize,
     pub(super) corners: Vec<Point<3>>,

@@ -75,6 +75,10 @@ pub struct Painting {
     pub possible: bool,
     /// The pixels that are wrong in the end: column and row.
     pub wrong: Vec<[i32; 2]>,
+    /// The faces in the order of the steps, and the picture that they are in.
+    faces: Vec<Face>,
+    size: [usize; 2],
+    slack: f64,
 }
 
 impl Painting {
@@ -105,7 +109,12 @@ impl Painting {
             let moved = moved.and_then(|(other, test)| Some((seen.get(other)?.number, test)));
             steps.push(Step { face: face.number, mean: face.mean, moved, spoils, wrong: field.wrong() });
         }
+        let mut seen: Vec<Option<Face>> = seen.into_iter().map(Some).collect();
+        let faces = order.iter().filter_map(|(at, _)| seen.get_mut(*at)?.take()).collect();
         Painting {
+            faces,
+            size,
+            slack,
             steps,
             left_out,
             boxes: pairs.boxes,
@@ -113,6 +122,16 @@ impl Painting {
             possible: pairs.possible(seen.len()),
             wrong: field.wrong_pixels(),
         }
+    }
+
+    /// The pixels that are wrong when so many faces have been painted, among these faces.
+    #[must_use]
+    pub fn wrong_after(&self, count: usize) -> Vec<[i32; 2]> {
+        let mut field = Field::new(self.size, self.slack);
+        for face in self.faces.iter().take(count) {
+            field.paint(face);
+        }
+        field.wrong_pixels()
     }
 }
 

@@ -58,7 +58,7 @@ fn three_faces_in_a_circle_have_no_right_order() {
 #[test]
 fn a_face_in_the_wrong_place_by_depth_is_moved() {
     let small = vec![[90.0, 90.0, 0.0], [90.0, 110.0, 0.0], [110.0, 110.0, 0.0], [110.0, 90.0, 0.0]];
-    let long = vec![[80.0, 95.0, 5.0], [80.0, 105.0, 5.0], [198.0, 105.0, -80.0], [198.0, 95.0, -80.0]];
+    let long = [[80.0, 95.0, 5.0], [80.0, 105.0, 5.0], [198.0, 105.0, -80.0], [198.0, 95.0, -80.0]];
     // Where they overlap the long one goes from -2 to -17: behind; then lifted, it is in front.
     for (lift, first) in [(0.0, 1), (20.0, 0)] {
         let lifted: Vec<Point<3>> = long.iter().map(|&[x, y, z]| [x, y, z + lift]).collect();
@@ -154,5 +154,9 @@ proptest! {
             }
         }
         prop_assert_eq!(painting.steps.last().map_or(0, |step| step.wrong), painting.wrong.len());
+        for count in [1, painting.steps.len() / 2, painting.steps.len()] {
+            let wrong = painting.wrong_after(count).len();
+            prop_assert_eq!(count.checked_sub(1).and_then(|at| painting.steps.get(at)).map_or(0, |step| step.wrong), wrong);
+        }
     }
 }
