@@ -53,6 +53,8 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         ("X.IP2", (0..DENSE).map(|k| gauss(14 * u16::from(k))).collect()),
         ("Y.IP2", noisy()),
         ("Z.IP2", with_an_error()),
+        ("W.IP2", sparse()),
+        ("S.IP2", corner()),
     ];
     let space = [("A.IP3", cube()), ("B.IP3", tetrahedron())];
     let plane = plane.into_iter().map(|(name, points)| Ok((name, bytes(points)?)));
@@ -61,6 +63,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
     });
     let cubes = [("A.CSK", 1997), ("B.CSK", 1998)];
     let cubes = cubes.into_iter().map(|(name, seed)| Ok((name, finished_cube(seed)?)));
+    let waves = WAVES.into_iter().map(|(name, waves)| Ok((name, of_waves(waves)?)));
     let single = [
         ("A.GBP", fourier_a()),
         ("A.IC2", Document::PlanePoints(clef()).write(Format::Ic2)),
@@ -78,6 +81,7 @@ pub(crate) fn samples() -> Result<Vec<(&'static str, Vec<u8>)>, FileError> {
         .chain(space)
         .chain(cubes)
         .chain(single)
+        .chain(waves)
         .chain(nets)
         .chain(spaces)
         .chain(normals)
@@ -195,9 +199,48 @@ fn noisy() -> Vec<Point> {
     (0..DENSE).map(|k| gauss(14 * u16::from(k))).map(|[x, y]| [x, y + noise()]).collect()
 }
 
+/// The sparse curve, figures 2.38 and 2.39.
+fn sparse() -> Vec<Point> {
+    (0..SPARSE).map(|k| gauss(40 * u16::from(k))).collect()
+}
+
+/// A corner with one more point on it, figure 2.15: without that the Bézier curve is far from the corner.
+fn corner() -> Vec<Point> {
+    vec![[130.0, 40.0], [280.0, 340.0], [280.0, 340.0], [430.0, 40.0]]
+}
+
+/// A wave of figure 2.2: its number, amplitude and phase in x, and the same in y.
+type Wave = (usize, [f64; 2], [f64; 2]);
+
+/// The coefficients that are printed for figure 2.2; in d, where the printed ones give a straight line, the phase belongs
+/// to the first wave.
+const WAVES: [(&str, &[Wave]); 6] = [
+    ("22A.GBP", &[(1, [100.0, 0.0], [100.0, 0.5]), (2, [50.0, 1.0], [50.0, 0.5])]),
+    (
+        "22B.GBP",
+        &[(1, [100.0, 0.0], [100.0, 0.5]), (2, [50.0, 0.0], [50.0, 1.5]), (7, [40.0, 0.0], [40.0, 1.5])],
+    ),
+    (
+        "22C.GBP",
+        &[(1, [100.0, 0.0], [100.0, 0.5]), (5, [50.0, 0.0], [0.0, 0.0]), (7, [0.0, 0.0], [50.0, 0.0])],
+    ),
+    ("22D.GBP", &[(1, [160.0, 0.0], [160.0, 0.5])]),
+    ("22E.GBP", &[(1, [100.0, 0.0], [100.0, 0.5]), (7, [60.0, 0.0], [60.0, 0.5])]),
+    ("22F.GBP", &[(1, [100.0, 0.0], [100.0, 0.5]), (7, [60.0, 0.0], [60.0, 1.5])]),
+];
+
+fn of_waves(waves: &[Wave]) -> Result<Vec<u8>, FileError> {
+    let mut fourier = file::Fourier::default();
+    for &(number, [a, p], [b, q]) in waves {
+        (fourier.a[number], fourier.p[number]) = (a, p);
+        (fourier.b[number], fourier.q[number]) = (b, q);
+    }
+    Document::Fourier(Box::new(fourier)).write(Format::Gbp)
+}
+
 /// The sparse curve whose 11th ordinate is 160 pixels too high.
 fn with_an_error() -> Vec<Point> {
-    let mut points: Vec<_> = (0..SPARSE).map(|k| gauss(40 * u16::from(k))).collect();
+    let mut points = sparse();
     points[10][1] += 160.0; // there are 15
     points
 }

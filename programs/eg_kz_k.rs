@@ -3,7 +3,7 @@
 
 use super::groups;
 use crate::cursor::{self, Action, Ground, LEAVE, MOVE};
-use crate::machine::{Asked, Button, Key, Machine, Mouse, Pointer};
+use crate::machine::{Asked, Button, Key, Machine, Manner, Mouse, Pointer};
 use crate::screen::{HEIGHT, Masks, Screen, WIDTH};
 use crate::ui::{
     Area, Command, CommandLine, Commands, Demo, Desk, KeyHelp, Lesson, Manual, Program, Words, line,
@@ -14,7 +14,8 @@ use serde::Serialize;
 const POINTER: KeyHelp =
     (Words("egér, nyilak", "mouse, arrows"), Words("a kurzor mozgatása", "move the pointer"));
 const WINK: KeyHelp = (Words("egérgombok", "mouse buttons"), Words("2. rész: kacsintás", "part 2: wink"));
-const NEXT: KeyHelp = line("Enter", "1. rész: tovább a másodikra", "part 1: go on to the second");
+const NEXT: KeyHelp =
+    line("Enter", "1. rész: tovább; ma bármely más billentyű is", "part 1: go on; today any other key too");
 const OTHERS: KeyHelp = (Words("bármi más", "any other"), Words("2. rész: vége", "part 2: end"));
 
 pub(super) const COMMANDS: Commands<Action> = Commands(&[
@@ -54,6 +55,7 @@ const MANUAL: Manual = Manual {
             "The masks have 16x16 bits; each bit acts on all four bits of c.",
         )),
         Lesson::Pointer,
+        Lesson::Masks(&FACES[0]),
     ],
 };
 
@@ -121,8 +123,8 @@ impl Part {
         match self {
             Part::Quarters => {
                 [Words(
-                    "Vigye az egérrel vagy a nyilakkal. Enter tovább, F1 súgó, Esc vége",
-                    "Move it by mouse or arrows. Enter goes on, F1 help, Esc end",
+                    "Vigye az egérrel, nyilakkal. F1 súgó, Esc vége, más billentyű: tovább",
+                    "Move it by mouse or arrows. F1 help, Esc end, other keys go on",
                 ); 2]
             }
             Part::Face => [
@@ -149,13 +151,13 @@ impl Part {
         }
     }
 
-    /// Whether a key ends this part: Enter the first one, any key the second one, except those that move the
-    /// pointer and those with a meaning in every program.
-    fn ends(self, key: Option<Key>, action: Option<Action>) -> bool {
-        match (self, key, action) {
-            (Part::Quarters, ..) => action == Some(Action::Next),
-            (Part::Face, None | Some(Key::F(_)), _) | (Part::Face, _, Some(Action::Move(..))) => false,
-            (Part::Face, Some(_), _) => true,
+    /// Whether a key ends this part: any key, except those that move the pointer and those with a meaning in every
+    /// program. In the original only Enter ends the first part, although the text has any key do so.
+    fn ends(self, manner: Manner, key: Option<Key>, action: Option<Action>) -> bool {
+        match (key, action) {
+            _ if self == Part::Quarters && manner == Manner::Original => action == Some(Action::Next),
+            (None | Some(Key::F(_)), _) | (_, Some(Action::Move(..))) => false,
+            (Some(_), _) => true,
         }
     }
 }
@@ -192,7 +194,7 @@ async fn both_parts(desk: &mut Desk<'_>) -> Asked<()> {
             if action == Some(Action::End) {
                 return Ok(());
             }
-            if part.ends(tick.key(), action) {
+            if part.ends(desk.machine.manner(), tick.key(), action) {
                 break;
             }
             let (x, y) = cursor::place(tick.mouse, action, RANGE);

@@ -27,7 +27,7 @@ const MANUAL: Manual = Manual {
 /// The program.
 pub const PROGRAM: Program = Program {
     manual: MANUAL,
-    chapter: "2.3.1, 2.3.2, 2.3.5-2.3.8",
+    chapter: "2.3.1-2.3.6, 2.3.8",
     group: &groups::PLANE_CURVES,
     opens: &[Format::Ip2],
     demo: Demo { file: "A.IP2", script: "type gz3\nkey E\nkey N", motion: None },

@@ -39,6 +39,10 @@ const MANUAL: Manual = Manual {
             "Ahol k = 0, ott c marad. Mozgás előtt a mentett háttér visszakerül.",
             "Where k = 0, c stays. Before a move the saved background is put back.",
         )),
+        Lesson::Line(Words(
+            "A műveletek színszámokkal számolnak: más paletta (F9) nem változtat.",
+            "Operations act on colour numbers: another palette (F9) changes none.",
+        )),
         Lesson::Operation(Put::Or),
         Lesson::Operation(Put::Xor),
     ],

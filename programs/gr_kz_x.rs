@@ -35,7 +35,20 @@ const MANUAL: Manual = Manual {
             "nem kell elmenteni, de a kurzor színe attól függ, mi van alatta.",
             "need not be saved, but the colour of the cursor depends on it.",
         )),
+        Lesson::Line(Words(
+            "XOR: minden sorban minden szín egyszer áll, ezért fordítható vissza.",
+            "XOR: every row has every colour once, so that it can be undone.",
+        )),
+        Lesson::Line(Words(
+            "AND: a közös bitek maradnak. NOT c = 15-c, ugyanaz, mint c XOR 15.",
+            "AND: the common bits stay. NOT c = 15-c, the same as c XOR 15.",
+        )),
+        Lesson::Line(Words(
+            "A műveletek színszámokkal számolnak: más paletta (F9) nem változtat.",
+            "Operations act on colour numbers: another palette (F9) changes none.",
+        )),
         Lesson::Operation(Put::Xor),
+        Lesson::Operation(Put::And),
     ],
 };
 

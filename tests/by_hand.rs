@@ -178,3 +178,28 @@ fn several_values_of_a_parameter_are_shown_together() {
     let coons = model(IP, "O.IP2", "key F4\nkey 6\ntype 0.3 1\nkey Enter\n");
     assert_eq!(coons["series"], json!({"parameter": "k0", "values": [0.3, 1.0]}));
 }
+
+#[test]
+fn points_and_values_of_nets_are_changed_by_keys_too() {
+    let program = grafika::programs::zm_betsp::PROGRAM;
+    let start = model(program, "K2.ZMB", "");
+    let moved = model(program, "K2.ZMB", "key Tab\nkey Tab\nkey Z\nkey Up\nkey Up\n");
+    let z = |model: &Value| model["points"][0][1][2].as_f64().unwrap();
+    assert_eq!(z(&moved), z(&start) + 2.0);
+    let turned = model(program, "K2.ZMB", "key PageUp\nkey PageUp\nmove 300 474\nwheel 3\n");
+    assert_eq!((&turned["bias"], &turned["tension"]), (&json!([1.2, 1.0]), &json!([1.5, 0.0])));
+    let undone = model(program, "K2.ZMB", "move 300 474\nwheel 3\nkey Ctrl+Z\n");
+    assert_eq!(undone["tension"], json!([0.0, 0.0]));
+    let (kept, _) = played(program, "K2.ZMB", "key F\nkey D\nmove 300 474\nwheel 12\nshot s.png\n");
+    pictures::assert_golden("by_hand_net", &kept.pictures["s.png"]);
+}
+
+#[test]
+fn tab_and_arrows_change_the_prepared_answer() {
+    let closed = |keys: &str| model(BT, "K.IP2", &format!("key G\n{keys}key Enter\n"))["closed"].clone();
+    assert_eq!(
+        [closed(""), closed("key Tab\n"), closed("key Tab\nkey Tab\n")],
+        [false, true, false].map(Value::from)
+    );
+    assert_eq!(closed("key Right\n"), true);
+}

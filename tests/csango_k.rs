@@ -384,3 +384,55 @@ fn random_events_do_no_harm() {
         }
     }
 }
+
+/// One key goes through the projections.
+#[test]
+fn projections_are_on_one_key() {
+    let told = |keys: &str| model(keys)["eye"]["projection"].clone();
+    let (one, two, three) = ("key L\n", "key L\nkey L\n", "key L\nkey L\nkey L\n");
+    assert_eq!(["", one, two, three].map(told), ["central", "near", "parallel", "central"]);
+    assert_eq!(told("key L\nkey Left\nkey Home"), "near", "Home is about the place, not the distance");
+    let solved = "key F5\nwait 60000\n";
+    for (name, keys) in [("csango_near", one), ("csango_parallel", two)] {
+        pictures::assert_golden(name, &run(&format!("{solved}{keys}wait 3000")).pictures["end.png"]);
+    }
+}
+
+/// The painter's steps: every step is in the dump, the last picture is the right one, and Esc leaves all as it was.
+#[test]
+fn the_painters_order_is_shown_step_by_step() {
+    let painter = |script: &str| model(script)["painter"].clone();
+    let begun = painter("key F8");
+    let faces = begun["faces"].as_u64().unwrap();
+    assert!(faces > 30 && begun["step"] == 0 && begun["left_out"].as_u64().unwrap() > 30, "{begun}");
+    assert_eq!(painter("key F8\nkey Space\nkey Right\nkey Down\nkey Left")["step"], 2);
+    assert_eq!(painter("key F8\nkey End")["step"].as_u64(), Some(faces + 1));
+    assert_eq!(painter("key F8\nkey End\nkey Home")["step"], 0);
+    assert_eq!(painter("key F8\nkey Esc"), Value::Null);
+    // The book's scattered pieces that it paints wrongly: some face covers something nearer.
+    let mixed = "key F7\nkey F7\nkey F7\n";
+    let faults = painter(&format!("{mixed}key F8\nkey F8"));
+    assert!(
+        faults["spoils"].as_u64().unwrap() > 0 && faults["wrong_at_last"].as_u64().unwrap() > 0,
+        "{faults}"
+    );
+    // A convex body overlaps itself nowhere.
+    let solved = painter("key F5\nwait 60000\nkey F8\nkey End");
+    assert_eq!(
+        (&solved["wrong_at_last"], &solved["possible"]),
+        (&Value::from(0), &Value::from(true)),
+        "{solved}"
+    );
+    let before = run(mixed);
+    let after = run(&format!("{mixed}key F8\nkey F8\nkey X\nkey Esc"));
+    assert_eq!(before.models["end.json"], after.models["end.json"], "no move is made meanwhile");
+    assert!(before.pictures["end.png"] == after.pictures["end.png"]);
+    for (name, script) in [
+        ("csango_painter_begun", "key F8".to_owned()),
+        ("csango_painter_half", format!("{mixed}key F8\n{}", "key Space\n".repeat(25))),
+        ("csango_painter_fault", format!("{mixed}key F8\nkey F8")),
+        ("csango_painter_end", format!("{mixed}key F2\nkey F8\nkey End")),
+    ] {
+        pictures::assert_golden(name, &run(&script).pictures["end.png"]);
+    }
+}

@@ -122,6 +122,21 @@ fn buttons_shut_the_eyes_of_the_second_part_only() {
     assert_eq!(shut(&model("press right\nkey Enter\npress middle")), [false, true]);
 }
 
+/// The book's text has part 1 go on at the first key; its program waits for Enter.
+#[test]
+fn in_the_manner_of_today_any_key_ends_the_first_part() {
+    let part = |script: &str| play_to_end(MASKS, script).models["end.json"]["part"].clone();
+    for key in ["Space", "A", "Enter", "PageDown"] {
+        assert_eq!(part(&format!("manner today\nkey {key}")), json!("face"), "{key}");
+        let original = if key == "Enter" { "face" } else { "quarters" };
+        assert_eq!(part(&format!("key {key}")), json!(original), "{key}");
+    }
+    for stays in ["key Up", "key F2", "press left", "key F1\nkey A"] {
+        assert_eq!(part(&format!("manner today\n{stays}")), json!("quarters"), "{stays}");
+    }
+    assert!(ended(MASKS, "manner today\nkey Esc"));
+}
+
 #[test]
 fn each_program_ends_with_its_keys() {
     for program in [XOR, OR, MASKS] {

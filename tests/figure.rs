@@ -348,7 +348,21 @@ fn files_are_rendered() {
     assert_eq!(elements(&svg).unwrap().iter().filter(|name| *name == "circle").count(), 6);
     assert!(attributes(&svg, "d").iter().all(|data| data.starts_with("M60 80 ") && data.ends_with(" Z")));
     rendered("bezier.svg", &[&six, "--method", "bezier"]);
+    // Multiple points are one disc with all their numbers.
+    let svg =
+        String::from_utf8(rendered("multiple.svg", &["D.IP2", "--method", "bspline3", "--points"])).unwrap();
+    assert_eq!(elements(&svg).unwrap().iter().filter(|name| *name == "circle").count(), 5);
+    assert!(svg.contains(">2-3<") && svg.contains(">4-6<") && !svg.contains(">5<"), "{svg}");
     rendered("turned.svg", &[&cube, "--method", "spline", "--view", "-1,0.5,2"]);
+    // The top views of (4.17): the axis y is to the right, and x goes down from above, up from below.
+    let top = |view: &str| {
+        let svg = rendered("top.svg", &[&cube, "--method", "bezier", "--view", view, "--points"]);
+        let svg = String::from_utf8(svg).unwrap();
+        attributes(&svg, "d").into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(top("0,0,1"), top("0,0,7"));
+    assert_eq!(top("0,0,1"), top("-0,-0,1"));
+    assert_ne!(top("0,0,1"), top("0,0,-1"));
 }
 
 #[test]
@@ -360,7 +374,7 @@ fn wrong_command_lines_are_usage_errors() {
         (&[], "--output"),
         (&["-o", "a.png", "--width", "15"], "16..=16384"),
         (&["-o", "a.png", "--view", "1,2,3"], "space curves"),
-        (&["-o", "a.png", "--view", "0,0,3"], "three numbers"),
+        (&["-o", "a.png", "--view", "0,0,0"], "three numbers"),
     ];
     for (arguments, said) in cases {
         let output = render(&[&[six.as_str(), "--method", "spline"], arguments].concat());

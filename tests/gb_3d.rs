@@ -268,3 +268,11 @@ fn random_events_do_no_harm_to_the_methods() {
 fn random_events_do_no_harm_to_the_beta_spline() {
     random::storm(BT, 100_000);
 }
+
+/// F4 compares methods and F5 opens the workshop in space too; neither is silent.
+#[test]
+fn comparison_and_workshop_answer_in_space() {
+    let picture = |keys: &str| play_cube(IP, &format!("type gz3\n{keys}")).pictures["end.png"].clone();
+    assert!(picture("key F4\ntype 1") != picture(""), "a second curve is in the picture");
+    assert!(picture("key F5\nwait 100") != picture(""), "the workshop is open, or says why not");
+}

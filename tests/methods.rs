@@ -3,7 +3,9 @@
 
 use grafika::design::{Design, Shape};
 use grafika::file::{Document, FileKind, Format};
-use grafika::geometry::{SpanContact, Derivatives, ParamCurve, ParamSurface, Point, contact, cross, dot, norm};
+use grafika::geometry::{
+    Derivatives, ParamCurve, ParamSurface, Point, SpanContact, contact, cross, dot, norm,
+};
 use proptest::prelude::*;
 use std::fmt;
 

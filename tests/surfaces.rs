@@ -209,3 +209,81 @@ fn random_events_do_no_harm() {
         random::storm(program, events);
     }
 }
+
+fn model_of(name: &str, script: &str) -> serde_json::Value {
+    play(name, script).models["end.json"].clone()
+}
+
+/// One key goes through the projections, in the net, in its surface and in the result; a dragged point stays under the
+/// pointer.
+#[test]
+fn projections_are_on_one_key_and_a_dragged_point_stays_under_the_pointer() {
+    for program in ["f_p_spln", "zm_spln", "csav_gy"] {
+        let told = |keys: &str| model_of(program, keys)["projection"].clone();
+        assert_eq!(
+            ["", "key L", "key L\nkey L", "key L\nkey L\nkey L"].map(told),
+            ["parallel", "central", "near", "parallel"],
+            "{program}"
+        );
+    }
+    // Three times the key is no change.
+    let (plain, around) =
+        (play("zm_spln", "key F\nkey T"), play("zm_spln", "key F\nkey T\nkey L\nkey L\nkey L\nwait 3000"));
+    assert!(plain.pictures["end.png"] == around.pictures["end.png"]);
+    for keys in ["", "key L\n", "key L\nkey L\n"] {
+        let grab = format!("{keys}wait 3000\nmove 331 260\npress left\n");
+        let start = points(&play("f_p_spln", &format!("{grab}release left\nkey Esc")));
+        let end = points(&play("f_p_spln", &format!("{grab}move 351 200\nrelease left")));
+        let moved: Vec<_> =
+            start.iter().flatten().zip(end.iter().flatten()).filter(|(a, b)| a != b).collect();
+        assert_eq!(moved.len(), 1, "{keys}");
+        // Where it was dropped it is found again, and taken to where it was.
+        let back = points(&play(
+            "f_p_spln",
+            &format!(
+                "{grab}move 351 200\nrelease left\nmove 351 200\npress left\nmove 331 260\nrelease left"
+            ),
+        ));
+        for (a, b) in start.iter().flatten().zip(back.iter().flatten()) {
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1.0), "{keys}{a:?} {b:?}");
+        }
+    }
+    for (name, program, script) in [
+        ("surface_near_net", "f_p_spln", format!("{BUMP}key L\nkey L\nwait 3000")),
+        ("surface_near_filled", "zy_spln", "key F\nkey T\nkey L\nkey L\nwait 3000".to_owned()),
+    ] {
+        pictures::assert_golden(name, &play(program, &script).pictures["end.png"]);
+    }
+}
+
+/// CSAV_GY with its constants: chosen by number, changed within their ranges, set as the listing's second set, reset.
+#[test]
+fn the_ring_has_its_constants() {
+    let constants = |script: &str| model_of("csav_gy", script)["constants"].clone();
+    let first = serde_json::json!({"k": 6, "R": 160, "r": 20, "q": 60, "nu": 5, "n": 12});
+    assert_eq!(constants(""), first);
+    assert_eq!(constants("key 1\nkey +\nkey +")["k"], 8);
+    assert_eq!(constants("key 2\nkey -")["R"], 155);
+    assert_eq!(constants(&format!("key 3\n{}", "key +\n".repeat(40)))["r"], 120);
+    assert_eq!(constants(&format!("key 6\n{}", "key -\n".repeat(40)))["n"], 2);
+    let second = constants("key 4\nkey -\nkey N");
+    assert_eq!(second, serde_json::json!({"k": 6, "R": 160, "r": 20, "q": 55, "nu": 7, "n": 16}));
+    assert_eq!(constants("key 4\nkey -\nkey N\nkey N")["nu"], 5);
+    assert_eq!(constants("key 4\nkey -\nkey N\nkey 0"), first);
+    let picture = |script: &str| play("csav_gy", script).pictures["end.png"].clone();
+    assert!(picture("") == picture("key 1\nkey +\nkey 0"), "the start gives the same picture again");
+    for (name, script) in [
+        ("ring_constants", "key 1\nkey -\nkey 3\nkey +\nkey +\nkey T"),
+        ("ring_second_set", "key N\nkey T"),
+        (
+            "ring_painter",
+            "key T\nkey F8\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown\nkey PageDown",
+        ),
+        ("ring_painter_end", "key F2\nkey T\nkey F8\nkey End"),
+    ] {
+        pictures::assert_golden(name, &picture(script));
+    }
+    // Everything at its least is no surface, and no trouble.
+    let least: String = (1..=6).map(|k| format!("key {k}\n{}", "key -\n".repeat(50))).collect();
+    play("csav_gy", &format!("{least}key T\nkey F8\nkey End\nkey Esc\nkey L\nkey L"));
+}

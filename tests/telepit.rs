@@ -38,6 +38,7 @@ fn a_plain_command_installs_what_starts() {
     assert!(told.contains("GB_2D/A.IP2: written\n"), "{told}");
     assert!(done.stderr.is_empty(), "no bar where there is no terminal");
     assert!(!root.join("JATEK").exists());
+    assert!(fs::read_to_string(root.join("SAMPLES.md")).unwrap().contains("`22A.GBP`"));
     // What is linked runs, as itself or under the name of the program.
     for name in ["GB_2D/gb_2d_ip", "TELEPIT/telepit", "grafika"] {
         let help = run(root.join(name).to_str().unwrap(), &["--help"]);

@@ -1,14 +1,13 @@
 //! The perspective of the book (4.17): the viewer looks at the middle of the table from one of three heights
-//! and goes around it by steps of 30 degrees.
+//! and goes around it by steps of 30 degrees. He may come nearer, or go infinitely far away.
 
-use crate::geometry::Vertex;
+use crate::geometry::{Projection, Vertex};
+use crate::ui::look::Sight;
 use serde::Serialize;
 
 /// A point in space: pixels from the middle of the table, z up.
 pub(crate) type Place = [f64; 3];
 
-/// Distance of the viewer from the middle, in pixels.
-const DISTANCE: f64 = 1500.0;
 /// Column of the table's middle on the screen.
 const COLUMN: f64 = 260.0;
 /// Its row, for each height of the viewer.
@@ -23,10 +22,28 @@ pub(crate) struct Eye {
     around: i32,
     /// How far above: 0 is 70 degrees from the axis z, 1 is 40, 2 is 10.
     height: usize,
+    /// How far away.
+    #[serde(rename = "projection")]
+    pub(crate) sight: Sight,
 }
 
 impl Eye {
-    pub(crate) const HOME: Eye = Eye { around: 0, height: 0 };
+    pub(crate) const HOME: Eye = Eye { around: 0, height: 0, sight: Sight::Central };
+
+    /// The first place of the viewer, as far away as now.
+    pub(crate) fn home(self) -> Eye {
+        Eye { sight: self.sight, ..Eye::HOME }
+    }
+
+    /// From the next distance.
+    pub(crate) fn next_sight(self) -> Eye {
+        Eye { sight: self.sight.next(), ..self }
+    }
+
+    /// The table and everything on it lie within 300 pixels of the middle, before every eye.
+    fn projection(self) -> Projection {
+        self.sight.projection(1.0, 300.0)
+    }
 
     /// Turned by a number of steps, modulo a whole turn.
     pub(crate) fn turned(self, steps: i32) -> Eye {
@@ -53,26 +70,35 @@ impl Eye {
     /// Pixels to the right and up from the middle, and how near it is: a number that grows linearly along
     /// straight lines of the picture.
     fn projected(self, place: Place) -> [f64; 3] {
-        let [right, up, near] = self.seen(place);
-        // The table and everything on it lie within 300 pixels of the middle.
-        let scale = DISTANCE / (DISTANCE - near).max(1.0);
-        [right * scale, up * scale, scale]
+        self.projection().image(self.seen(place))
     }
 
-    /// The viewer, and the place on the plane through the middle that is seen at a pixel.
+    /// The viewer, or a place far away on his side where he is at no place, and the place on the plane through the
+    /// middle that is seen at a pixel.
     #[cfg(test)]
     pub(crate) fn ray(self, x: f64, y: f64) -> (Place, Place) {
         // The rows of `seen` are the directions to the right, up and to the viewer.
         let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|unit| self.seen(unit));
         let back = |seen: Place| columns.map(|c| c[0] * seen[0] + c[1] * seen[1] + c[2] * seen[2]);
         let row = ROWS.get(self.height).copied().unwrap_or(ROWS[0]);
-        (back([0.0, 0.0, DISTANCE]), back([x - COLUMN, row - y, 0.0]))
+        let (right, up) = (x - COLUMN, row - y);
+        let viewer = match self.projection() {
+            Projection::Central(distance) => [0.0, 0.0, distance],
+            Projection::Parallel => [right, up, 1e5],
+        };
+        (back(viewer), back([right, up, 0.0]))
     }
 
     /// A place on the screen with fractions of pixels, y down.
     pub(crate) fn pixel(self, place: Place) -> [f64; 2] {
-        let [right, up, _] = self.projected(place);
-        [COLUMN + right, ROWS.get(self.height).copied().unwrap_or(ROWS[0]) - up]
+        let [x, y, _] = self.image(place);
+        [x, y]
+    }
+
+    /// The same with how near it is.
+    pub(crate) fn image(self, place: Place) -> Place {
+        let [right, up, near] = self.projected(place);
+        [COLUMN + right, ROWS.get(self.height).copied().unwrap_or(ROWS[0]) - up, near]
     }
 
     /// A place as a corner of the picture.

@@ -82,3 +82,45 @@ impl Hand {
         cell(&self.cube).iter().zip(cell(&self.before)).map(|(a, b)| u32::from(a.abs_diff(b))).sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever the projection, a piece that is free to move stays under the pointer, within half a cell.
+    #[test]
+    fn a_dragged_piece_stays_under_the_pointer() {
+        let mut followed = 0;
+        for sights in 0..3 {
+            for turns in 0..12 {
+                let eye = (0..sights).fold(Eye::HOME.turned(turns), |eye, _| eye.next_sight());
+                for eye in [eye, eye.higher(), eye.higher().higher()] {
+                    for piece in 0..3 {
+                        let mut cube = CsangoCube::start();
+                        // Lifted above the others, so that nothing is in the way.
+                        for _ in 0..3 {
+                            cube = cube.after(Move { piece, action: Action::Z }, Rules::Book).unwrap_or(cube);
+                        }
+                        let from = cube.pieces[piece].cell;
+                        for (axis, by) in
+                            eye.facing_plane().into_iter().flat_map(|axis| [(axis, 1), (axis, -1)])
+                        {
+                            let mut goal = from;
+                            goal[axis] += by;
+                            let pixel = |cell: [i8; 3]| eye.pixel(centre(cell)).map(|x| x.round() as i32);
+                            let ([x1, y1], [x2, y2]) = (pixel(from), pixel(goal));
+                            let mut hand = Hand::new(piece, (x1, y1), cube).unwrap();
+                            hand.follow((x2, y2), eye);
+                            let now = hand.cube.pieces[piece].cell;
+                            if now != from {
+                                assert_eq!(now, goal, "{eye:?} {piece} {axis} {by}");
+                                followed += 1;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(followed > 300, "{followed}");
+    }
+}

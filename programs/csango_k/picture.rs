@@ -4,43 +4,48 @@ use super::eye::{EDGE, Eye, centre};
 use super::panel::FIELD;
 use super::texts;
 use crate::file::cube::{CsangoCube, CubePiece, shape};
+use crate::geometry::painter::{Backs, Painting};
 use crate::geometry::{DepthBuffer, Vertex};
 use crate::machine::Language;
 use crate::puzzle::cube::{CORNER, PIECES};
-use crate::screen::{Color, Screen, Stroke};
+use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
+use crate::ui::painter::Steps;
 
 /// The visible pieces: piece `k`, from 1, in colour `k`.
 pub(crate) struct Scene(DepthBuffer);
 
 impl Scene {
     pub(crate) fn new(cube: &CsangoCube, eye: Eye, goal: Goal) -> Scene {
-        let size = |from: i32, to: i32| usize::try_from(to - from + 1).unwrap_or(0);
-        let mut buffer = DepthBuffer::new(size(FIELD.x1, FIELD.x2), size(FIELD.y1, FIELD.y2));
-        for k in -5..=5 {
-            let (along, end) = (f64::from(k) * EDGE, 5.0 * EDGE);
-            for [from, to] in [[[along, -end], [along, end]], [[-end, along], [end, along]]] {
-                let [from, to] = [from, to].map(|[x, y]| in_field(eye.vertex([x, y, 0.0])));
-                buffer.line(from, to, Color::Black.index());
-            }
+        let mut buffer = ground(eye, goal);
+        for face in faces(cube, eye).iter().filter(|face| face.is_seen()) {
+            buffer.polygon(&face.outline, face.color, Some(Color::Black.index()));
         }
-        if goal == Goal::Marked {
-            let [[x1, x2], [y1, y2]] =
-                [CORNER[0], CORNER[1]].map(|low| [low - 5, low - 1].map(|it| f64::from(it) * EDGE));
-            for [from, to] in
-                [[[x1, y1], [x2, y1]], [[x2, y1], [x2, y2]], [[x2, y2], [x1, y2]], [[x1, y2], [x1, y1]]]
-            {
-                // A line of one pixel is easily lost among the others: it is drawn three times.
+        Scene(buffer)
+    }
+
+    /// The pieces as a painter leaves them who has got so far; the last face is marked.
+    pub(crate) fn painted(cube: &CsangoCube, eye: Eye, goal: Goal, steps: &Steps) -> Scene {
+        let Some(painted) = steps.painted() else { return Scene::new(cube, eye, goal) };
+        let mut buffer = ground(eye, goal);
+        let faces = faces(cube, eye);
+        // What is painted later is nearer than anything before.
+        let above = |corners: &[Vertex], order: usize| -> Vec<Vertex> {
+            corners.iter().map(|corner| Vertex { depth: ABOVE + order as f32, ..*corner }).collect()
+        };
+        for (order, step) in painted.iter().enumerate() {
+            let Some(face) = faces.get(step.face) else { continue };
+            buffer.polygon(&above(&face.outline, order), face.color, Some(Color::Black.index()));
+        }
+        if let Some((step, face)) = steps.last().and_then(|step| Some((step, faces.get(step.face)?))) {
+            let ink = 16 + if step.spoils > 0 { Color::LightRed } else { Color::Yellow }.index();
+            let outline = above(&face.outline, painted.len());
+            for (&from, &to) in outline.iter().zip(outline.iter().cycle().skip(1)) {
                 for (dx, dy) in [(0, 0), (1, 0), (0, 1)] {
-                    let [from, to] = [from, to].map(|[x, y]| {
-                        let vertex = in_field(eye.vertex([x, y, 0.0]));
-                        Vertex { x: vertex.x + dx, y: vertex.y + dy, ..vertex }
-                    });
-                    buffer.line(from, to, MARK);
+                    let [from, to] =
+                        [from, to].map(|vertex| Vertex { x: vertex.x + dx, y: vertex.y + dy, ..vertex });
+                    buffer.line(from, to, ink);
                 }
             }
-        }
-        for (index, piece) in cube.pieces.iter().enumerate() {
-            draw_piece(&mut buffer, eye, index, *piece);
         }
         Scene(buffer)
     }
@@ -54,6 +59,55 @@ impl Scene {
     pub(crate) fn draw(&self, screen: &mut Screen) {
         for (y, (_, row)) in (FIELD.y1..).zip(self.0.rows()) {
             screen.row(FIELD.x1, y, row.iter().map(|pixel| pixel.color().map(Color::from_index)));
+        }
+    }
+}
+
+/// A depth above everything on the table.
+const ABOVE: f32 = 10_000.0;
+
+/// The table without pieces.
+fn ground(eye: Eye, goal: Goal) -> DepthBuffer {
+    let size = |from: i32, to: i32| usize::try_from(to - from + 1).unwrap_or(0);
+    let mut buffer = DepthBuffer::new(size(FIELD.x1, FIELD.x2), size(FIELD.y1, FIELD.y2));
+    for k in -5..=5 {
+        let (along, end) = (f64::from(k) * EDGE, 5.0 * EDGE);
+        for [from, to] in [[[along, -end], [along, end]], [[-end, along], [end, along]]] {
+            let [from, to] = [from, to].map(|[x, y]| in_field(eye.vertex([x, y, 0.0])));
+            buffer.line(from, to, Color::Black.index());
+        }
+    }
+    if goal == Goal::Marked {
+        let [[x1, x2], [y1, y2]] =
+            [CORNER[0], CORNER[1]].map(|low| [low - 5, low - 1].map(|it| f64::from(it) * EDGE));
+        for [from, to] in
+            [[[x1, y1], [x2, y1]], [[x2, y1], [x2, y2]], [[x2, y2], [x1, y2]], [[x1, y2], [x1, y1]]]
+        {
+            // A line of one pixel is easily lost among the others: it is drawn three times.
+            for (dx, dy) in [(0, 0), (1, 0), (0, 1)] {
+                let [from, to] = [from, to].map(|[x, y]| {
+                    let vertex = in_field(eye.vertex([x, y, 0.0]));
+                    Vertex { x: vertex.x + dx, y: vertex.y + dy, ..vertex }
+                });
+                buffer.line(from, to, MARK);
+            }
+        }
+    }
+    buffer
+}
+
+/// The order in which a painter paints the pieces.
+pub(crate) fn painting(cube: &CsangoCube, eye: Eye) -> Painting {
+    let corners: Vec<_> = faces(cube, eye).into_iter().map(|face| face.corners).collect();
+    // Neither is negative.
+    Painting::new(&corners, Backs::LeftOut, [WIDTH as usize, HEIGHT as usize])
+}
+
+/// Dots on the pixels that a painter has got wrong.
+pub(crate) fn draw_wrong(screen: &mut Screen, steps: &Steps) {
+    for [x, y] in steps.wrong() {
+        if (x + y) % 2 == 0 && FIELD.holds(x, y) {
+            screen.bar(x, y, x, y, Color::LightRed);
         }
     }
 }
@@ -95,8 +149,31 @@ fn in_field(vertex: Vertex) -> Vertex {
     Vertex { x: vertex.x - FIELD.x1, y: vertex.y - FIELD.y1, ..vertex }
 }
 
-fn draw_piece(buffer: &mut DepthBuffer, eye: Eye, index: usize, piece: CubePiece) {
-    let Some(shape) = shape(index) else { return };
+/// A face of a piece.
+struct Face {
+    /// The colour of the piece.
+    color: u8,
+    /// Its corners on the screen, anticlockwise from outside.
+    corners: Vec<[f64; 3]>,
+    /// The same in pixels of the field, from one that sees the whole face.
+    outline: Vec<Vertex>,
+}
+
+impl Face {
+    /// Whether its outer side is seen: anticlockwise from outside is clockwise where y goes down.
+    fn is_seen(&self) -> bool {
+        area(&self.corners) < 0.0
+    }
+}
+
+/// The faces of all pieces.
+fn faces(cube: &CsangoCube, eye: Eye) -> Vec<Face> {
+    let pieces = cube.pieces.iter().enumerate();
+    pieces.flat_map(|(index, piece)| faces_of(eye, index, *piece)).collect()
+}
+
+fn faces_of(eye: Eye, index: usize, piece: CubePiece) -> Vec<Face> {
+    let Some(shape) = shape(index) else { return Vec::new() };
     let middle = centre(piece.cell);
     let place = |corner: &[i8; 3]| {
         let turned = piece.rotation.map(|row| {
@@ -105,32 +182,29 @@ fn draw_piece(buffer: &mut DepthBuffer, eye: Eye, index: usize, piece: CubePiece
         [middle[0] + turned[0], middle[1] + turned[1], middle[2] + turned[2]]
     };
     let color = u8::try_from(index + 1).unwrap_or(0); // there are 14
-    for face in shape.faces {
-        let corners: Vec<_> = face
+    let face = |numbers: &&[u8]| {
+        let corners: Vec<_> = numbers
             .iter()
             .filter_map(|&number| shape.corners.get(usize::from(number).checked_sub(1)?))
             .map(place)
             .collect();
-        let pixels: Vec<[f64; 2]> = corners.iter().map(|&corner| eye.pixel(corner)).collect();
-        // Anticlockwise from outside is clockwise where y goes down.
-        if area(&pixels) >= 0.0 {
-            continue;
-        }
         let mut outline: Vec<Vertex> = corners.iter().map(|&corner| in_field(eye.vertex(corner))).collect();
-        outline.rotate_left(hub(&pixels));
-        buffer.polygon(&outline, color, Some(Color::Black.index()));
-    }
+        let corners: Vec<[f64; 3]> = corners.into_iter().map(|corner| eye.image(corner)).collect();
+        outline.rotate_left(hub(&corners));
+        Face { color, corners, outline }
+    };
+    shape.faces.iter().map(face).collect()
 }
 
 /// Twice the signed area of a polygon of the picture.
-fn area(pixels: &[[f64; 2]]) -> f64 {
+fn area(pixels: &[[f64; 3]]) -> f64 {
     let next = pixels.iter().cycle().skip(1);
     pixels.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
 }
 
 /// A corner from which all of a face is seen: one where it is bent in, if there is any. Faces are of four
 /// cells at most, and such a corner is on the edge of both of their bars.
-fn hub(pixels: &[[f64; 2]]) -> usize {
+fn hub(pixels: &[[f64; 3]]) -> usize {
     let count = pixels.len().max(1);
     let turn = |k: usize| {
         let at = |k: usize| pixels.get(k % count).copied().unwrap_or_default();
@@ -184,6 +258,7 @@ mod tests {
         for seed in 0..12_u32 {
             let cube = CsangoCube::start().scrambled(u64::from(seed), 150 * seed, Rules::Book);
             let eye = (0..seed % 3).fold(Eye::HOME.turned(7 * seed as i32), |eye, _| eye.higher());
+            let eye = (0..seed / 3 % 3).fold(eye, |eye, _| eye.next_sight());
             let scene = Scene::new(&cube, eye, Goal::Unmarked);
             let met = |x: i32, y: i32| {
                 let (viewer, pixel) = eye.ray(f64::from(x), f64::from(y));

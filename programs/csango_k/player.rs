@@ -5,7 +5,7 @@ use super::eye::Eye;
 use super::game::{Deal, Preset};
 use super::hand::Hand;
 use super::panel::{self, FIELD};
-use super::picture::{Goal, Scene, draw_axes, draw_goal};
+use super::picture::{Goal, Scene, draw_axes, draw_goal, draw_wrong, painting};
 use super::task::{PACE, Plan, Quest, Task, Wanted};
 use super::texts;
 use crate::editor::keys;
@@ -15,6 +15,8 @@ use crate::machine::{
 };
 use crate::puzzle::cube::{self, Move, PIECES, Refused, Rules};
 use crate::screen::{Color, Screen};
+use crate::ui::look::SIGHT_KEY;
+use crate::ui::painter::{PAINTER_HELP, PAINTER_KEY, Steps, StepsModel};
 use crate::ui::{Command, Commands, Desk, Hint, KeyHelp, Manual, Phrase, Picture, Stay, Stopwatch};
 use crate::work::{self, History, Next, Work};
 use serde::{Deserialize, Serialize};
@@ -44,12 +46,14 @@ const COMMANDS: Commands<Action> = Commands(&[
     Command::also(Key::Right, Action::Do(|player, _| player.eye = player.eye.turned(-1))),
     Command::also(Key::Up, Action::Do(|player, _| player.eye = player.eye.lower())),
     Command::also(Key::Down, Action::Do(|player, _| player.eye = player.eye.higher())),
-    Command::also(Key::Home, Action::Do(|player, _| player.eye = Eye::HOME)),
+    Command::also(Key::Home, Action::Do(|player, _| player.eye = player.eye.home())),
+    Command::key(SIGHT_KEY, keys::SIGHT, Action::Do(Player::next_sight)),
     Command::key(Key::F(3), texts::RIGID, Action::Do(Player::switch_rules)),
     Command::key(Key::F(4), texts::HINT, Action::Do(|player, desk| player.seek(desk, Wanted::Hint))),
     Command::key(Key::F(5), texts::SOLVE, Action::Do(|player, desk| player.seek(desk, Wanted::Solution))),
     Command::key(Key::F(6), texts::RESTART, Action::Do(|player, _| player.begin(player.plays.now().first))),
     Command::key(Key::F(7), texts::SCRAMBLE, Action::Do(|player, _| player.scramble())),
+    Command::key(PAINTER_KEY, PAINTER_HELP, Action::Do(|player, _| player.paint())),
     Command::told(keys::UNDO),
     Command::told(keys::SAVE),
     Command::key(Key::Char('Q'), keys::QUIT, Action::Quit),
@@ -65,23 +69,25 @@ const TODAY: Commands<Control> = Commands(&ROWS);
 
 /// The help page in the manner of today.
 const KEYS_TODAY: &[KeyHelp] = &{
-    const OWN: usize = 6;
+    const OWN: usize = 7;
     const SHARED: usize = TODAY.lines();
     const COMMON: [KeyHelp; SHARED] = TODAY.help();
-    let mut keys = [texts::MOVE; OWN + SHARED + 3];
+    let mut keys = [texts::MOVE; OWN + SHARED + 4];
     keys[1] = texts::TURN;
     keys[2] = texts::OTHER;
     keys[3] = texts::DRAG;
     keys[4] = texts::LIFT;
     keys[5] = texts::LOOK;
+    keys[6] = keys::SIGHT;
     let mut row = 0;
     while row < SHARED {
         keys[OWN + row] = COMMON[row];
         row += 1;
     }
     keys[OWN + SHARED] = texts::RIGID;
-    keys[OWN + SHARED + 1] = keys::SAVE;
-    keys[OWN + SHARED + 2] = keys::QUIT;
+    keys[OWN + SHARED + 1] = PAINTER_HELP;
+    keys[OWN + SHARED + 2] = keys::SAVE;
+    keys[OWN + SHARED + 3] = keys::QUIT;
     keys
 };
 
@@ -142,6 +148,8 @@ struct Player {
     help: Help,
     refused: Option<Refused>,
     party: Option<Party>,
+    /// The painter's steps, if they are shown.
+    steps: Option<Steps>,
     /// The name of the game that results are kept under, and the best one.
     best: (String, Option<Best>),
     /// The solution from the start of a game that is known: where that is and its length.
@@ -163,6 +171,9 @@ struct Model {
     /// What the program does: `idle`, `seeking` or `playing`.
     task: &'static str,
     hint: Option<String>,
+    /// The step of the painter, if it is shown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    painter: Option<StepsModel>,
     cube: CsangoCube,
 }
 
@@ -181,6 +192,13 @@ impl Picture for Player {
         let color = |piece: usize| Color::ALL.get(piece + 1).copied().unwrap_or_default();
         let letter = hint.map(|it| it.action.letter());
         panel::draw(screen, language, self.manner, color(self.selected), letter);
+        if let Some(steps) = &self.steps {
+            Scene::painted(&self.cube(), self.eye, Goal::Unmarked, steps).draw(screen);
+            draw_wrong(screen, steps);
+            draw_axes(screen, self.eye);
+            steps.draw(screen, (30, 60), [Color::Blue, Color::White], language);
+            return;
+        }
         if self.manner == Manner::Today {
             // Under the pieces, so that nothing hides them.
             draw_goal(screen, language);
@@ -204,7 +222,7 @@ impl Picture for Player {
     }
 
     fn hint(&self) -> Option<Hint> {
-        if !self.begun || !matches!(self.task, Task::Idle) {
+        if !self.begun || !matches!(self.task, Task::Idle) || self.steps.is_some() {
             return None;
         }
         let play = self.plays.now();
@@ -246,6 +264,7 @@ impl Player {
             help: Help::None,
             refused: None,
             party: None,
+            steps: None,
             best: (String::new(), None),
             known: None,
         }
@@ -509,6 +528,16 @@ impl Player {
         }
     }
 
+    fn next_sight(&mut self, desk: &mut Desk<'_>) {
+        self.eye = self.eye.next_sight();
+        desk.tell(self.eye.sight.told(), Stay::Briefly);
+    }
+
+    /// Begins the painter's steps.
+    fn paint(&mut self) {
+        self.steps = Some(Steps::new(painting(&self.cube(), self.eye)));
+    }
+
     fn select(&mut self, piece: usize) {
         self.selected = piece % PIECES;
         self.hinted = false;
@@ -661,6 +690,7 @@ impl Work for Player {
                 Task::Playing(..) => "playing",
             },
             hint: self.hinted_move().map(|step| step.to_string()),
+            painter: self.steps.as_ref().map(Steps::model),
             cube: self.cube(),
         }
     }
@@ -709,7 +739,7 @@ impl Work for Player {
 
     async fn work(&mut self, desk: &mut Desk<'_>) -> Asked<Next> {
         // The close button may have been pressed in the middle of a task.
-        (self.hand, self.task) = (None, Task::Idle);
+        (self.hand, self.task, self.steps) = (None, Task::Idle, None);
         self.begun = true;
         if let Some(deal) = self.wanted.take() {
             self.deal(deal);
@@ -721,6 +751,12 @@ impl Work for Player {
                 Manner::Today => KEYS_TODAY,
             });
             let tick = work::event(self, desk).await?;
+            if let Some(steps) = &mut self.steps {
+                if !steps.heed(&tick) {
+                    self.steps = None;
+                }
+                continue;
+            }
             if !matches!(self.task, Task::Idle) {
                 if Player::stops(&tick) {
                     self.task = Task::Idle;

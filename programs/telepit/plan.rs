@@ -1,5 +1,6 @@
 //! The plan of an installation: the files of the chosen groups with their content. No file is touched here.
 
+use crate::machine::SAMPLES_PAGE;
 use crate::ui::Group;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -110,6 +111,7 @@ impl Plan {
             }
             entries.extend(data(group).filter(|_| !way.flat));
         }
+        entries.extend(page(groups).into_iter().filter(|_| !way.flat));
         Ok(Plan { entries })
     }
 
@@ -130,6 +132,7 @@ impl Plan {
             }));
             entries.extend(data(group).filter(|_| !flat));
         }
+        entries.extend(page(groups).into_iter().filter(|_| !flat));
         Plan { entries }
     }
 }
@@ -141,6 +144,12 @@ fn data(group: &'static Group) -> impl Iterator<Item = Entry> {
         name: name.to_owned(),
         what: What::Data(content),
     })
+}
+
+/// The page about the samples, above all groups, if there are any samples.
+fn page(groups: &[&'static Group]) -> Option<Entry> {
+    let samples = groups.iter().any(|group| group.samples().next().is_some());
+    samples.then(|| Entry { folder: "", name: "SAMPLES.md".to_owned(), what: What::Data(SAMPLES_PAGE) })
 }
 
 impl Entry {
@@ -221,7 +230,8 @@ mod tests {
             // A sample may belong to two groups, and is in the folders of both.
             let samples: usize = all().iter().map(|group| group.samples().count()).sum();
             assert!(samples >= crate::machine::SAMPLES.len());
-            assert_eq!(paths.len(), 1 + programs + samples);
+            assert_eq!(paths.len(), 1 + programs + samples + 1);
+            assert!(paths.contains(&PathBuf::from("SAMPLES.md")));
             paths.sort();
             paths.dedup();
             assert_eq!(paths.len(), plan.entries.len());

@@ -8,7 +8,7 @@ use crate::machine::{Button, Event, Key, Manner, Modifier, Tick};
 use crate::screen::Screen;
 use crate::ui::{Area, Desk, Slider, Stay};
 
-/// A potentiometer in the picture: a value that is shown, with its track under it.
+/// A potentiometer in the picture: a value that is shown, with its track beside it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Dial {
     pub(crate) slider: Slider,
@@ -18,9 +18,15 @@ pub(crate) struct Dial {
 }
 
 impl Dial {
-    /// A potentiometer under a value of so many letters at a place.
-    pub(crate) fn under((x, y): (i32, i32), letters: i32, value: f64, [low, high]: [f64; 2]) -> Dial {
-        let track = (x + 2, x + 8 * letters - 4, y + 11);
+    /// A potentiometer for a value of so many letters at a place, with its track so many pixels below.
+    pub(crate) fn new(
+        (x, y): (i32, i32),
+        letters: i32,
+        below: i32,
+        value: f64,
+        [low, high]: [f64; 2],
+    ) -> Dial {
+        let track = (x + 2, x + 8 * letters - 4, y + below);
         let slider = Slider { range: [low, high], allowed: [low, high], step: 0.1, track };
         Dial { slider, text: Area::of_line((x, y), letters), value }
     }

@@ -13,3 +13,5 @@ pub(crate) const TURN_DRAG: KeyHelp = (Words("jobb gomb", "right button"), words
 pub(crate) const TURN_KEYS: KeyHelp = (Words("nyilak", "arrows"), words::HELP_TURN_KEYS);
 pub(crate) const ZOOM: KeyHelp = (Words("görgő", "wheel"), words::HELP_ZOOM);
 pub(crate) const HOME: KeyHelp = (Words("Home", "Home"), words::HELP_HOME);
+/// Parallel and central projection.
+pub(crate) const SIGHT: KeyHelp = (Words("L", "L"), words::HELP_SIGHT);

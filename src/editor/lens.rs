@@ -170,19 +170,19 @@ impl Lens<3> for Viewer {
     }
 
     fn flat(&self, place: Point<3>) -> Point<2> {
-        self.look.view.place(place)
+        self.look.seen().place(place)
     }
 
     fn plot(&self, figure: &mut Figure, curve: &dyn ParamCurve<3>, ink: [u8; 3]) {
-        let _ = figure.plot_space_curve(curve, &self.look.view, ink);
+        let _ = figure.plot_space_curve(curve, &self.look.seen(), ink);
     }
 
     fn axes(&self, bounds: BoundingBox<3>) -> Option<Axes> {
-        Some(Axes::Space { view: self.look.view, bounds })
+        Some(Axes::Space { view: self.look.seen(), bounds })
     }
 
     fn order(&self, points: &[Point<3>]) -> Vec<usize> {
-        self.look.view.far_to_near(points)
+        self.look.seen().far_to_near(points)
     }
 
     fn look_around(&mut self, tick: &Tick) -> bool {

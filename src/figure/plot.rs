@@ -2,8 +2,11 @@
 
 use super::picture::{Figure, Style};
 use super::wireframe::{all_lines, visible_lines};
-use crate::geometry::{BoundingBox, Closure, CubicBezier, GeometryError, Grid, ParamCurve, Point, View};
+use crate::geometry::{
+    BoundingBox, Closure, CubicBezier, GeometryError, Grid, ParamCurve, Point, Projection, View,
+};
 use crate::screen::Color;
+use std::collections::HashMap;
 
 /// Tolerance of arcs relative to the size of the curve: far below a thousandth of a pixel in a picture 800 pixels
 /// wide.
@@ -102,8 +105,11 @@ impl Figure {
         view: &View,
         ink: [u8; 3],
     ) -> Result<(), GeometryError> {
-        // The projection is linear: it takes arcs to arcs.
-        self.plot_arcs(curve, |point| view.place(point), Style::line(ink, CURVE_WIDTH))
+        if view.projection() == Projection::Parallel {
+            // It is linear: it takes arcs to arcs.
+            return self.plot_arcs(curve, |point| view.place(point), Style::line(ink, CURVE_WIDTH));
+        }
+        self.plot_curve(&Seen { curve, view }, ink)
     }
 
     /// Adds a thin curve, for comparison.
@@ -148,11 +154,11 @@ impl Figure {
         self.disc(at, POINT_RADIUS, Style::filled(POINT, EDGE), label);
     }
 
-    /// Adds control points with their numbers from 1 on.
+    /// Adds control points with their numbers from 1 on. Points at the same place are one, with all their numbers, as
+    /// in "4-6".
     pub fn plot_points(&mut self, points: &[Point<2>]) {
-        for (number, &point) in (1..).zip(points) {
-            let number: usize = number;
-            self.plot_point(point, Some(number.to_string()));
+        for (point, numbers) in places(points) {
+            self.plot_point(point, Some(ranges(&numbers)));
         }
     }
 
@@ -198,6 +204,74 @@ impl Figure {
     }
 }
 
+/// Different places in the order of their first points, with the numbers of their points from 1 on.
+fn places(points: &[Point<2>]) -> Vec<(Point<2>, Vec<usize>)> {
+    let mut found: HashMap<[u64; 2], usize> = HashMap::new();
+    let mut places: Vec<(Point<2>, Vec<usize>)> = Vec::new();
+    for (number, &point) in (1..).zip(points) {
+        // Zero has one sign here.
+        let at = *found.entry(point.map(|x| (x + 0.0).to_bits())).or_insert(places.len());
+        match places.get_mut(at) {
+            Some((_, numbers)) => numbers.push(number),
+            None => places.push((point, vec![number])),
+        }
+    }
+    places
+}
+
+/// Ascending numbers as they are written: runs of neighbours by their ends.
+fn ranges(numbers: &[usize]) -> String {
+    let runs = numbers.chunk_by(|one, next| one + 1 == *next);
+    let texts = runs.filter_map(|run| match (run.first()?, run.last()?) {
+        (first, last) if first == last => Some(first.to_string()),
+        (first, last) => Some(format!("{first}-{last}")),
+    });
+    texts.collect::<Vec<_>>().join(", ")
+}
+
+/// A curve of space as a view shows it.
+#[derive(Debug)]
+struct Seen<'c> {
+    curve: &'c dyn ParamCurve<3>,
+    view: &'c View,
+}
+
+impl ParamCurve<2> for Seen<'_> {
+    fn spans(&self) -> usize {
+        self.curve.spans()
+    }
+
+    fn closed(&self) -> bool {
+        self.curve.closed()
+    }
+
+    fn at(&self, span: usize, u: f64) -> Option<[Point<2>; 3]> {
+        let [point, first, second] = self.curve.at(span, u)?;
+        let (place, size) = (self.view.place(point), self.view.magnification(point));
+        // A change of w towards the viewer changes 1 / size by -w / distance; on what is too near, nothing does.
+        let distance = match self.view.projection() {
+            Projection::Central(distance) if size < MOST => distance,
+            _ => f64::INFINITY,
+        };
+        let [by_first, by_second] = [first, second].map(|by| self.view.seen(by));
+        let grows = [by_first, by_second].map(|by| size * size * by[2] / distance);
+        let grows = [grows[0], grows[1] + 2.0 * grows[0] * size * by_first[2] / distance];
+        // What is magnified: the place from the target, which stays.
+        let from = self.view.beside_target(point);
+        let by = |d: usize| {
+            [
+                by_first[d] * size + from[d] * grows[0],
+                by_second[d] * size + 2.0 * by_first[d] * grows[0] + from[d] * grows[1],
+            ]
+        };
+        let [x, y] = [by(0), by(1)];
+        Some([place, [x[0], y[0]], [x[1], y[1]]])
+    }
+}
+
+/// The largest magnification of a projection, but for rounding.
+const MOST: f64 = 9.999;
+
 /// The form of a curve: one that returns to its beginning is closed.
 #[must_use]
 pub fn closure<const D: usize>(curve: &dyn ParamCurve<D>) -> Closure {
@@ -225,6 +299,43 @@ mod tests {
             let back = CubicBezier { p: [line[3], line[1], line[2], line[0]] };
             assert_eq!(closure(&vec![arc, back]), Closure::Closed, "{far:e}");
         }
+    }
+
+    /// A curve seen by central rays: its arcs keep to the images of its points, and its derivatives are differences.
+    #[test]
+    fn a_curve_in_perspective_is_where_its_points_are() {
+        let p = [[0.0, 0.0, 0.0], [200.0, 0.0, 50.0], [200.0, 150.0, 100.0], [-50.0, 200.0, 250.0]];
+        let curve = vec![CubicBezier { p }];
+        let view =
+            View::from_direction([0.7, 0.2, 0.3]).projected(Projection::Central(600.0), [5.0, 6.0, 7.0]);
+        let seen = Seen { curve: &curve, view: &view };
+        let h = 1e-4;
+        for u in [0.1, 0.4, 0.8] {
+            let [place, first, second] = seen.at(0, u).unwrap();
+            let [before, after] = [u - h, u + h].map(|u| view.place(curve.eval(0, u).unwrap()));
+            for d in 0..2 {
+                assert!((first[d] - (after[d] - before[d]) / (2.0 * h)).abs() < 1e-3, "{first:?}");
+                assert!(
+                    (second[d] - (after[d] - 2.0 * place[d] + before[d]) / (h * h)).abs() < 1e-1,
+                    "{second:?}"
+                );
+            }
+        }
+        let arcs = seen.to_cubics(1e-6).unwrap();
+        let ends = (arcs.eval(0, 0.0).unwrap(), arcs.eval(arcs.len() - 1, 1.0).unwrap());
+        for (end, point) in [(ends.0, p[0]), (ends.1, p[3])] {
+            assert!(end.iter().zip(view.place(point)).all(|(a, b)| (a - b).abs() < 1e-5));
+        }
+    }
+
+    #[test]
+    fn points_at_a_place_have_one_disc() {
+        let [a, b, c] = [[1.0, 2.0], [0.0, 5.0], [-0.0, 5.0]];
+        let found = places(&[a, b, c, b, a, [9.0, 9.0], a]);
+        let texts: Vec<String> = found.iter().map(|(_, numbers)| ranges(numbers)).collect();
+        assert_eq!(texts, ["1, 5, 7", "2-4", "6"]);
+        assert_eq!(found.iter().map(|(place, _)| *place).collect::<Vec<_>>(), [a, b, [9.0, 9.0]]);
+        assert!(places(&[]).is_empty());
     }
 
     #[test]

@@ -9,7 +9,7 @@
 //! points are a [`Basis`]. Curves with exact lengths and offsets are in [`ph`], rational surfaces whose offsets
 //! are rational too are [`PnSurface`], functions beyond polynomials in [`ec`], curves by
 //! their knots in [`knots`], curves with shape parameters in [`shaped`], skins over
-//! circles and spheres in [`skin`]. Points without order are a [`cloud`]; a
+//! circles and spheres in [`skin`]. In which order faces hide each other is asked in [`painter`]. Points without order are a [`cloud`]; a
 //! Kohonen net ([`kohonen`]) learns its shape, and [`fit`] makes a surface of the net. Nothing here panics or answers
 //! with NaN: what cannot be computed is a [`GeometryError`] with a sentence.
 //!
@@ -68,11 +68,13 @@ pub mod knots;
 pub mod kohonen;
 mod limits;
 mod method;
+pub mod painter;
 mod param;
 pub mod ph;
 mod pn;
 mod point;
 mod portable;
+mod projection;
 pub mod shaped;
 pub mod skin;
 mod slopes;
@@ -110,6 +112,7 @@ pub use pn::{
     RationalPatches, RationalSurface, SafeDistances, Shell,
 };
 pub use point::{Point, cross, dot, norm};
+pub use projection::Projection;
 pub use slopes::{slopes, smoothed_tangents};
 pub use smooth::{
     DENSITY, Degree, FEWEST_MEASURED, MAX_FILTERED, Residuals, Smoothed, Smoothing, Stage, smooth,

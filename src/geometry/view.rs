@@ -1,11 +1,11 @@
-//! The orthogonal projection of the programs in space: where the viewer stands, what he sees of a point,
-//! and how he turns around the axis z (units KOZOS_3D and RAJZ_F3D of the book).
+//! The view of the programs in space: where the viewer stands, what he sees of a point, and how he turns around the
+//! axis z (units KOZOS_3D and RAJZ_F3D of the book). He is far away, unless another [`Projection`] is asked for.
 //!
 //! A view is two angles, so that turning there and back is exact and goes on over the poles: at the
 //! pole the azimuth is still known, and beyond it the axis z points down in the picture. Nothing here
 //! draws, and hidden parts are not looked for.
 
-use super::{Point, dot};
+use super::{Point, Projection, dot};
 use std::f64::consts::{PI, TAU};
 
 /// What one arrow key turns by, in radians: 3 degrees.
@@ -27,8 +27,7 @@ pub enum Turn {
     Right,
 }
 
-/// An orthogonal view of space: the viewer is far away in a direction, and the axis z is upright in the
-/// picture.
+/// A view of space from a direction; the axis z is upright in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     azimuth: f64,
@@ -37,14 +36,19 @@ pub struct View {
     right: Point<3>,
     up: Point<3>,
     toward: Point<3>,
+    projection: Projection,
+    /// The place that is seen alike by every projection.
+    target: Point<3>,
 }
 
 impl View {
-    /// The view from a direction, which points from the origin to the viewer. A direction along z is
-    /// seen with the axis y to the right; of the length nothing is kept.
+    /// The view from a direction, which points from the origin to the viewer. A direction along z, from above or
+    /// below, is seen with the axis y to the right: its azimuth is 0. Of the length nothing is kept.
     #[must_use]
     pub fn from_direction([a, b, c]: Point<3>) -> View {
-        View::from_angles(b.atan2(a), c.atan2(a.hypot(b)))
+        // A negative zero would be the opposite azimuth.
+        let azimuth = if a == 0.0 && b == 0.0 { 0.0 } else { b.atan2(a) };
+        View::from_angles(azimuth, c.atan2(a.hypot(b)))
     }
 
     /// The view from an azimuth, counted from the axis x to the axis y, and an elevation over the plane
@@ -61,7 +65,21 @@ impl View {
             right: [-sin_a, cos_a, 0.0],
             up: [-sin_e * cos_a, -sin_e * sin_a, cos_e],
             toward: [cos_e * cos_a, cos_e * sin_a, sin_e],
+            projection: Projection::Parallel,
+            target: [0.0; 3],
         }
+    }
+
+    /// The same view by a projection around a place, which every projection shows where it was.
+    #[must_use]
+    pub fn projected(&self, projection: Projection, target: Point<3>) -> View {
+        View { projection, target, ..*self }
+    }
+
+    /// The projection.
+    #[must_use]
+    pub fn projection(&self) -> Projection {
+        self.projection
     }
 
     /// The azimuth in radians, from above -π to π.
@@ -92,6 +110,7 @@ impl View {
     #[must_use]
     pub fn turned(&self, azimuth: f64, elevation: f64) -> View {
         View::from_angles(self.azimuth + azimuth, self.elevation + elevation)
+            .projected(self.projection, self.target)
     }
 
     /// The view turned by one step of an arrow key. A step over a pole is not made, as in the original.
@@ -114,21 +133,54 @@ impl View {
         }
     }
 
+    /// Where a point is from the origin before it is projected: to the right, up, and towards the viewer.
+    #[must_use]
+    pub fn seen(&self, point: Point<3>) -> Point<3> {
+        [self.right, self.up, self.toward].map(|axis| dot(axis, point))
+    }
+
+    /// The same from the place that every projection shows alike.
+    pub(crate) fn beside_target(&self, point: Point<3>) -> Point<3> {
+        let (seen, target) = (self.seen(point), self.seen(self.target));
+        std::array::from_fn(|d| seen[d] - target[d])
+    }
+
+    /// The image of a point: its place in the plane of the picture, to the right and up from the origin, and how near
+    /// it is, a number that grows linearly along straight lines of the picture.
+    #[must_use]
+    pub fn image(&self, point: Point<3>) -> Point<3> {
+        let seen = self.seen(point);
+        if self.projection == Projection::Parallel {
+            return seen;
+        }
+        let target = self.seen(self.target);
+        let image = self.projection.image(std::array::from_fn(|d| seen[d] - target[d]));
+        std::array::from_fn(|d| image[d] + target[d])
+    }
+
     /// The place of a point in the plane of the picture: to the right and up from the origin.
     #[must_use]
     pub fn place(&self, point: Point<3>) -> Point<2> {
-        [dot(self.right, point), dot(self.up, point)]
+        let [right, up, _] = self.image(point);
+        [right, up]
     }
 
-    /// How near to the viewer a point is: its place along the direction towards him.
+    /// How near to the viewer a point is; of parallel rays, its place along the direction towards him.
     #[must_use]
     pub fn depth(&self, point: Point<3>) -> f64 {
-        dot(self.toward, point)
+        self.image(point)[2]
+    }
+
+    /// How much larger than in the plane of the picture things at a point look; 1 by parallel rays.
+    #[must_use]
+    pub fn magnification(&self, point: Point<3>) -> f64 {
+        self.projection.magnification(dot(self.toward, point) - dot(self.toward, self.target))
     }
 
     /// The point that lies elsewhere in the picture, and as deep: moved to the right and up.
     #[must_use]
-    pub fn moved(&self, point: Point<3>, [right, up]: Point<2>) -> Point<3> {
+    pub fn moved(&self, point: Point<3>, by: Point<2>) -> Point<3> {
+        let [right, up] = by.map(|x| x / self.magnification(point));
         std::array::from_fn(|d| point[d] + right * self.right[d] + up * self.up[d])
     }
 
@@ -207,6 +259,32 @@ mod tests {
             assert!(view.place([1.0, 2.0, 3.0]).iter().all(|value| value.is_finite()));
         }
         assert_eq!(View::from_direction([0.0, 0.0, 1.0]).place([0.0, 5.0, 0.0]), [5.0, 0.0]);
+    }
+
+    /// The top view of (4.17) has an azimuth however its zeros are signed, and is the limit of steep views.
+    #[test]
+    fn the_top_view_is_definite() {
+        for (z, x_up) in [(1.0, -1.0), (-1.0, 1.0)] {
+            for [x, y] in [[0.0, 0.0], [-0.0, 0.0], [0.0, -0.0], [-0.0, -0.0]] {
+                let top = View::from_direction([x, y, z]);
+                assert_eq!((top.azimuth(), top.elevation()), (0.0, z * PI / 2.0));
+                assert!(close(&top.place([0.0, 3.0, 7.0]), &[3.0, 0.0], 1e-12));
+                assert!(close(&top.place([3.0, 0.0, 7.0]), &[0.0, 3.0 * x_up], 1e-12));
+                let steep = View::from_direction([1e-9, 0.0, z]);
+                assert!(close(&top.place([3.0, 4.0, 0.0]), &steep.place([3.0, 4.0, 0.0]), 1e-8));
+            }
+        }
+    }
+
+    #[test]
+    fn the_target_stays_where_it_was() {
+        let (view, target) = (View::from_direction([0.4, -0.7, 0.2]), [30.0, -20.0, 90.0]);
+        for distance in [200.0, 600.0, 1500.0] {
+            let central = view.projected(Projection::Central(distance), target);
+            assert!(close(&central.image(target), &view.image(target), 1e-12));
+            let side = View { projection: Projection::Parallel, ..central.turned(0.1, 0.2) };
+            assert_eq!(side, view.turned(0.1, 0.2).projected(Projection::Parallel, target));
+        }
     }
 
     #[test]
@@ -294,6 +372,9 @@ mod tests {
             let view = View::from_angles(angles[0], angles[1]);
             let moved = view.moved(point, by);
             prop_assert!((view.depth(moved) - view.depth(point)).abs() < 1e-11);
+            let central = view.projected(Projection::Central(4000.0), [5.0, -7.0, 11.0]);
+            let (from, to) = (central.image(point), central.image(central.moved(point, by)));
+            prop_assert!(close(&to, &[from[0] + by[0], from[1] + by[1], from[2]], 1e-8));
             let (from, to) = (view.place(point), view.place(moved));
             prop_assert!(close(&[to[0] - from[0], to[1] - from[1]], &by, 1e-11));
         }

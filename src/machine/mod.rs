@@ -46,7 +46,7 @@ pub use port::Wait;
 pub use preferences::{Cloth, Glyphs, Keeper, Look, PointerSpeed, Preference, Preferences, Shown};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
-pub use samples::{SAMPLES, sample};
+pub use samples::{SAMPLES, SAMPLES_PAGE, sample};
 pub use script::{Command, Outlet, Script, ScriptError, play};
 pub use session::{FRAMES_PER_SECOND, Session};
 pub use stop::{Asked, Asking, Stop};

@@ -1,7 +1,16 @@
 //! The data files of the book's disk, made again and built into the program.
 
+/// What the samples show and how to see it: a page for people.
+pub const SAMPLES_PAGE: &[u8] = include_bytes!("../../data/README.md");
+
 /// Every built-in sample: name and content.
 pub const SAMPLES: &[(&str, &[u8])] = &[
+    ("22A.GBP", include_bytes!("../../data/22A.GBP")),
+    ("22B.GBP", include_bytes!("../../data/22B.GBP")),
+    ("22C.GBP", include_bytes!("../../data/22C.GBP")),
+    ("22D.GBP", include_bytes!("../../data/22D.GBP")),
+    ("22E.GBP", include_bytes!("../../data/22E.GBP")),
+    ("22F.GBP", include_bytes!("../../data/22F.GBP")),
     ("A.ALP", include_bytes!("../../data/A.ALP")),
     ("A.CSF", include_bytes!("../../data/A.CSF")),
     ("A.CSK", include_bytes!("../../data/A.CSK")),
@@ -65,6 +74,7 @@ pub const SAMPLES: &[(&str, &[u8])] = &[
     ("O.IP2", include_bytes!("../../data/O.IP2")),
     ("P.PN", include_bytes!("../../data/P.PN")),
     ("ROSSZ.KOR", include_bytes!("../../data/ROSSZ.KOR")),
+    ("S.IP2", include_bytes!("../../data/S.IP2")),
     ("SNAIL.KCE", include_bytes!("../../data/SNAIL.KCE")),
     ("SNAIL.KCJ", include_bytes!("../../data/SNAIL.KCJ")),
     ("SPIRAL.KCJ", include_bytes!("../../data/SPIRAL.KCJ")),
@@ -76,6 +86,7 @@ pub const SAMPLES: &[(&str, &[u8])] = &[
     ("TREFOIL.KCJ", include_bytes!("../../data/TREFOIL.KCJ")),
     ("TRIG.ALP", include_bytes!("../../data/TRIG.ALP")),
     ("VILLA.KOR", include_bytes!("../../data/VILLA.KOR")),
+    ("W.IP2", include_bytes!("../../data/W.IP2")),
     ("X.IP2", include_bytes!("../../data/X.IP2")),
     ("Y.IP2", include_bytes!("../../data/Y.IP2")),
     ("Y.PN", include_bytes!("../../data/Y.PN")),

@@ -15,6 +15,8 @@ pub enum Lesson {
     /// The table of the mouse driver's two masks (chapter 1.4): a row for each pair of mask bits, a column for each
     /// colour on the screen.
     Pointer,
+    /// The images of two masks beside that table, a white cell for a bit of 1, and their words under it.
+    Masks(&'static Masks),
 }
 
 /// Height of a line of text in pixels.
@@ -29,6 +31,12 @@ const CELL: i32 = 8;
 const GAP: i32 = 4;
 /// Cells of a row.
 const COLORS: i32 = 16;
+/// Where the images of masks are, from the left edge of the table beside them, and how far from each other.
+const IMAGES: [i32; 2] = [420, 80];
+/// Side of a mask's bit in pixels.
+const BIT: i32 = 4;
+/// Words of a mask in a line.
+const WORDS: usize = 8;
 
 /// The height of an explanation with the room above it.
 pub(super) fn height(lesson: &[Lesson]) -> i32 {
@@ -38,6 +46,7 @@ pub(super) fn height(lesson: &[Lesson]) -> i32 {
         Lesson::Line(_) => 0,
         Lesson::Operation(_) => table + COLORS * CELL,
         Lesson::Pointer => table + 4 * LINE,
+        Lesson::Masks(_) => table + 4 * LINE + 4 * LINE,
     });
     let room = if lesson.is_empty() { 0 } else { 2 * GAP };
     room + LINE * i32::try_from(lines).unwrap_or(0) + tables.max().unwrap_or(0)
@@ -59,6 +68,7 @@ pub(super) fn draw(screen: &mut Screen, top: i32, lesson: &[Lesson], language: L
                 x += TABLE;
             }
             Lesson::Pointer => pointer(screen, (x, below(y)), language),
+            Lesson::Masks(masks) => self::masks(screen, (x, below(y)), masks),
         }
     }
 }
@@ -132,5 +142,31 @@ fn pointer(screen: &mut Screen, (x, y): (i32, i32), language: Language) {
             cell(screen, left + CELL * column, y, Masks::apply(below, kept == 1, inverted == 1));
         }
         screen.text(left + CELL * COLORS + 16, y, meaning.of(language), Color::White);
+    }
+}
+
+/// The images of masks beside the table whose title is at (x, y), and their words under it.
+fn masks(screen: &mut Screen, (x, y): (i32, i32), masks: &Masks) {
+    let under = y + LINE + CELL + GAP + 4 * LINE;
+    for (number, (name, rows)) in (0..).zip([("AND", masks.screen), ("XOR", masks.cursor)]) {
+        let (left, top) = (x + IMAGES[0] + number * IMAGES[1], y + LINE);
+        screen.text(left, y, name, Color::Yellow);
+        screen.rectangle(left - 1, top - 1, left + 16 * BIT, top + 16 * BIT, Stroke::thin(Color::DarkGray));
+        for (row, word) in (0..).zip(rows) {
+            for column in (0..16).filter(|column| word << column & 0x8000 != 0) {
+                let (x, y) = (left + BIT * column, top + BIT * row);
+                screen.bar(x, y, x + BIT - 1, y + BIT - 1, Color::White);
+            }
+        }
+        for (line, words) in (0..).zip(rows.chunks(WORDS)) {
+            let words: Vec<String> = words.iter().map(|word| format!("{word:04X}")).collect();
+            let name = if line == 0 { name } else { "   " };
+            screen.text(
+                x,
+                under + LINE * (2 * number + line),
+                &format!("{name} {}", words.join(" ")),
+                Color::White,
+            );
+        }
     }
 }

@@ -1,8 +1,10 @@
 //! The view of space and its scale, and how the user changes them. They are not part of the edited value, so they are
 //! neither saved nor undone.
 
-use crate::geometry::{BoundingBox, Point, Turn, View};
+use super::words::{Phrase, Words};
+use crate::geometry::{BoundingBox, Point, Projection, Turn, View};
 use crate::machine::{Button, Event, Key, Tick};
+use serde::Serialize;
 
 /// Steps of the wheel that double the scale.
 const DOUBLING: i32 = 4;
@@ -21,6 +23,59 @@ pub(crate) fn pixel(value: f64) -> i32 {
     value.round_ties_even().clamp(-30_000.0, 30_000.0) as i32
 }
 
+/// From how far the viewer looks (chapter 4.4.1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Sight {
+    /// From infinitely far, by parallel rays.
+    #[default]
+    Parallel,
+    /// From the distance of the book's cube.
+    Central,
+    /// From so near that the difference is plain.
+    Near,
+}
+
+/// The key that changes it.
+pub(crate) const SIGHT_KEY: Key = Key::Char('L');
+
+impl Sight {
+    /// The one after it.
+    pub(crate) fn next(self) -> Sight {
+        match self {
+            Sight::Parallel => Sight::Central,
+            Sight::Central => Sight::Near,
+            Sight::Near => Sight::Parallel,
+        }
+    }
+
+    /// The distance of the eye from the middle, in pixels before zooming.
+    fn distance(self) -> Option<f64> {
+        match self {
+            Sight::Parallel => None,
+            Sight::Central => Some(1500.0),
+            Sight::Near => Some(600.0),
+        }
+    }
+
+    /// The projection at so many pixels per unit, of what reaches so many units from the middle: the eye keeps twice
+    /// that distance.
+    pub(crate) fn projection(self, unit: f64, reach: f64) -> Projection {
+        let distance = self.distance().map(|pixels| (pixels / unit).max(2.0 * reach));
+        distance.map_or(Projection::Parallel, Projection::central)
+    }
+
+    /// What a message says when it has been chosen.
+    pub(crate) fn told(self) -> Phrase {
+        match self {
+            Sight::Parallel => Words("Párhuzamos vetítés", "Parallel projection"),
+            Sight::Central => Words("Középpontos vetítés", "Central projection"),
+            Sight::Near => Words("Középpontos, közeli szem", "Central, nearer eye"),
+        }
+        .into()
+    }
+}
+
 /// A view at a scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Look {
@@ -36,6 +91,9 @@ pub(crate) struct Look {
     middle: Point<3>,
     /// Where that is, in pixels from the middle of the originals' picture.
     shift: (i32, i32),
+    sight: Sight,
+    /// What that was when it was chosen, in units of length.
+    projection: Projection,
 }
 
 /// What an arrow key does when the view is along the z axis.
@@ -51,7 +109,37 @@ impl Look {
     /// The look at a new configuration from a direction.
     pub(crate) fn new(direction: Point<3>, poles: Poles) -> Look {
         let home = View::from_direction(direction);
-        Look { view: home, home, poles, zoom: 0, unit: 1.0, middle: [0.0; 3], shift: (0, 0) }
+        Look {
+            view: home,
+            home,
+            poles,
+            zoom: 0,
+            unit: 1.0,
+            middle: [0.0; 3],
+            shift: (0, 0),
+            sight: Sight::Parallel,
+            projection: Projection::Parallel,
+        }
+    }
+
+    /// From how far it is.
+    pub(crate) fn sight(self) -> Sight {
+        self.sight
+    }
+
+    /// The look from another distance at what lies in a box.
+    pub(crate) fn seen_from(self, sight: Sight, bounds: Option<BoundingBox<3>>) -> Look {
+        let reach = bounds.map_or(0.0, |bounds| {
+            let far =
+                |d: usize| (bounds.min[d] - self.middle[d]).abs().max((bounds.max[d] - self.middle[d]).abs());
+            far(0).hypot(far(1)).hypot(far(2))
+        });
+        Look { sight, projection: sight.projection(self.unit, reach), ..self }
+    }
+
+    /// The view with its projection, for places in space.
+    pub(crate) fn seen(self) -> View {
+        self.view.projected(self.projection, self.middle)
     }
 
     /// The look in a picture whose middle is elsewhere on the screen.
@@ -94,13 +182,13 @@ impl Look {
     /// The pixel of a point.
     pub(crate) fn to_screen(self, point: Point<3>) -> (i32, i32) {
         let point = std::array::from_fn(|d| point[d] - self.middle[d]);
-        let [x, y] = self.view.pixel(point, self.scale());
+        let [x, y] = self.view.projected(self.projection, [0.0; 3]).pixel(point, self.scale());
         (pixel(x) + self.shift.0, pixel(y) + self.shift.1)
     }
 
     /// A point dragged by pixels to the right and down; its depth stays.
     pub(crate) fn dragged(self, point: Point<3>, (right, down): (i32, i32)) -> Point<3> {
-        self.view.moved(point, [right, -down].map(|pixels| f64::from(pixels) / self.scale()))
+        self.seen().moved(point, [right, -down].map(|pixels| f64::from(pixels) / self.scale()))
     }
 
     /// Turned by a drag by pixels to the right and down, across the poles as well: what is in front follows the
@@ -205,6 +293,21 @@ mod tests {
         assert_eq!(look.turned_by((77, -300)).after(Key::Home), Some(start()));
     }
 
+    /// A framed look at what lies far away has its middle in the middle from every distance, and all in front.
+    #[test]
+    fn the_middle_stays_and_nothing_is_beside_the_eye() {
+        let bounds = BoundingBox { min: [5000.0, 0.0, 0.0], max: [9000.0, 3000.0, 100.0] };
+        for sight in [Sight::Parallel, Sight::Central, Sight::Near] {
+            for look in [start().framing(&bounds), start()].map(|look| look.seen_from(sight, Some(bounds))) {
+                let middle = std::array::from_fn(|d| look.middle(d));
+                assert_eq!(look.to_screen(middle), (331, 260));
+                for corner in [bounds.min, bounds.max] {
+                    assert!(look.seen().magnification(corner) <= 2.0);
+                }
+            }
+        }
+    }
+
     #[test]
     fn a_drag_goes_over_the_pole_without_a_jump() {
         let beginning = start();
@@ -223,13 +326,17 @@ mod tests {
             drag in prop::array::uniform2(-300..300),
             turn in prop::array::uniform2(-900..900),
             zoom in -14..14,
+            sight in prop::sample::select(vec![Sight::Parallel, Sight::Central, Sight::Near]),
         ) {
-            let look = start().turned_by((turn[0], turn[1])).zoomed(zoom);
+            let bounds = BoundingBox { min: [-300.0; 3], max: [300.0; 3] };
+            let look = start().seen_from(sight, Some(bounds)).turned_by((turn[0], turn[1])).zoomed(zoom);
             let dragged = look.dragged(point, (drag[0], drag[1]));
             let (x, y) = look.to_screen(point);
             let (to_x, to_y) = look.to_screen(dragged);
             prop_assert!((to_x - x - drag[0]).abs() <= 1 && (to_y - y - drag[1]).abs() <= 1);
             prop_assert!((look.view.depth(dragged) - look.view.depth(point)).abs() < 1e-9);
+            let [right, up] = look.seen().place(point).map(|x| x * look.scale());
+            prop_assert!((f64::from(x) - 331.0 - right).abs() <= 0.5 && (f64::from(y) - 260.0 + up).abs() <= 0.5);
         }
 
         #[test]

@@ -18,6 +18,7 @@ mod lesson;
 pub(crate) mod look;
 mod notice;
 mod overwrite;
+pub(crate) mod painter;
 mod panel;
 mod phrase;
 mod program;

@@ -186,6 +186,8 @@ pub(crate) const HELP_AIDS: Words =
     Words("poligon és burok, súlyok, csatlakozások", "polygon and hull, weights, joints and comb");
 pub(crate) const HELP_PICK: Words =
     Words("pont kiválasztása; a nyilak mozgatják", "choose a point; the arrows move it");
+pub(crate) const HELP_PICK_3D: Words =
+    Words("pont; a nyilak mozgatják, tengely mentén is", "a point; arrows move it, also along an axis");
 pub(crate) const HELP_AXIS: Words =
     Words("húzás közben: csak a tengely mentén", "while dragging: along that axis only");
 pub(crate) const HELP_DIAL: Words =
@@ -465,6 +467,8 @@ pub(crate) const HELP_TURN_DRAG: Words = Words("forgatás húzással", "drag to 
 pub(crate) const HELP_TURN_KEYS: Words = Words("forgatás 3 fokkal", "turn by 3 degrees");
 pub(crate) const HELP_ZOOM: Words = Words("nagyítás, kicsinyítés", "zoom in, out");
 pub(crate) const HELP_HOME: Words = Words("az eredeti nézet", "back to the first view");
+pub(crate) const HELP_SIGHT: Words =
+    Words("vetítés: párhuzamos, középpontos", "projection: parallel, central");
 pub(crate) const NOT_IN_SPACE: Words =
     Words("Ebben a fájlban nem térbeli kontrollpontok vannak", "This file holds no control points in space");
 pub(crate) const OUTSIDE_SPACE: Words =

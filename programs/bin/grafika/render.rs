@@ -534,19 +534,15 @@ fn tolerance(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "give a part of the size, above 0 and at most 1, as in 1e-6".to_owned())
 }
 
-/// Reads a direction as three numbers, scaled to 1, not straight from above or below.
+/// Reads a direction as three numbers, scaled to 1. Straight from above or below is one too: the top view.
 fn direction(text: &str) -> Result<Point<3>, String> {
-    let wanted = "give three numbers A,B,C, of which A or B is not 0, as in 0.7,0.2,0.3";
+    let wanted = "give three numbers A,B,C, not all of them 0, as in 0.7,0.2,0.3";
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse::<f64>()).collect();
     let numbers: [f64; 3] = numbers.ok().and_then(|numbers| numbers.try_into().ok()).ok_or(wanted)?;
     let largest = numbers.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let [a, b, c] = numbers.map(|x| x / largest);
-    // Not NaN, and steep enough to be divided by.
-    if a.hypot(b) >= 1e-6 && [a, b, c].iter().all(|x| x.is_finite()) {
-        Ok([a, b, c])
-    } else {
-        Err(wanted.into())
-    }
+    // Not NaN, which all zeros and infinities become.
+    let scaled = numbers.map(|x| x / largest);
+    if scaled.iter().all(|x| x.is_finite()) { Ok(scaled) } else { Err(wanted.into()) }
 }
 
 #[cfg(test)]
@@ -556,7 +552,9 @@ mod tests {
     #[test]
     fn directions_are_checked() {
         assert_eq!(direction("-7,2,3"), Ok([-1.0, 2.0 / 7.0, 3.0 / 7.0]));
-        for text in ["", "1,2", "1,2,3,4", "a,b,c", "0,0,1", "0,0,0", "nan,1,1", "inf,1,1", "1e-300,0,1"] {
+        assert_eq!([direction("0,0,1"), direction("0,0,-2")], [Ok([0.0, 0.0, 1.0]), Ok([0.0, 0.0, -1.0])]);
+        assert!(direction("1e-300,0,1").is_ok());
+        for text in ["", "1,2", "1,2,3,4", "a,b,c", "0,0,0", "-0,0,0", "nan,1,1", "inf,1,1"] {
             assert!(direction(text).is_err(), "{text}");
         }
     }

@@ -8,7 +8,7 @@ use crate::editor::lens::Lens;
 use crate::editor::picture::Page;
 use crate::editor::seen::Item;
 use crate::editor::{Craft, Editor};
-use crate::geometry::{Closure, ParamCurve, Point, contact, plane_hull, norm};
+use crate::geometry::{Closure, ParamCurve, Point, contact, norm, plane_hull};
 use crate::screen::{Color, Stroke};
 use crate::ui::words;
 use crate::ui::{Area, Desk, Stay};

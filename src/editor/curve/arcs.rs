@@ -1,6 +1,6 @@
 //! Bézier arcs in the curve editors: their handles, smooth joints and corners.
 
-use super::{Ambient, Curves};
+use super::{Ambient, Curves, Handle};
 use crate::design::DesignError;
 use crate::design::Place;
 use crate::editor::Editor;
@@ -33,9 +33,12 @@ where
         self.drawn().handles().into_iter().map(line).collect()
     }
 
-    /// The fill of a point's disc: joints of arcs tell what they are.
+    /// The fill of a point's disc: red for the one that the arrows move; joints of arcs tell what they are.
     pub(super) fn fill_of(&self, index: usize) -> Color {
         let sketch = self.history.now();
+        if [Handle::Point(index), Handle::Tip(index)].map(Some).contains(&self.picked) {
+            return Color::Red;
+        }
         match sketch.arc_point(index) {
             Some(ArcPoint::Joint([Some(_), Some(_)])) if sketch.is_smooth(index) => SMOOTH,
             Some(ArcPoint::Joint(_)) => CORNER,

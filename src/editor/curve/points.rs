@@ -202,12 +202,6 @@ where
         }
     }
 
-    /// The colour of a point's disc: red for the one that the arrows move.
-    fn fill_of(&self, index: usize) -> Color {
-        let picked = [Handle::Point(index), Handle::Tip(index)].map(Some).contains(&self.picked);
-        if picked { Color::Red } else { Curves::<D>::FILL }
-    }
-
     /// The command B: a new point with a number and a place.
     pub(super) async fn insert(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         if self.history.now().full() {

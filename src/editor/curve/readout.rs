@@ -82,7 +82,7 @@ where
             return Vec::new();
         }
         let dial = |at, letters, value, (track, allowed, step): ([f64; 2], [f64; 2], f64)| {
-            Dial::under(at, letters, value, track).by(step, allowed)
+            Dial::new(at, letters, 11, value, track).by(step, allowed)
         };
         let sketch = self.preview();
         match self.craft.tools {

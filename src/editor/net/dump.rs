@@ -10,6 +10,7 @@ use crate::design::Index;
 use crate::editor::Editor;
 use crate::file::Method;
 use crate::geometry::{Border, Point};
+use crate::ui::look::Sight;
 use serde::Serialize;
 
 /// The model as `dump` writes it. Angles are in degrees.
@@ -28,6 +29,7 @@ pub(super) struct Dump {
     azimuth: f64,
     elevation: f64,
     zoom: f64,
+    projection: Sight,
     unsaved: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<JointDump>,
@@ -78,6 +80,7 @@ impl Dump {
             azimuth,
             elevation,
             zoom,
+            projection: editor.lens.look.sight(),
             unsaved: editor.history.unsaved(),
             joint: JointDump::of(now),
             frame: Some(craft.frame).filter(|frame| *frame != Frame::Off),

@@ -18,7 +18,7 @@ mod weights;
 
 pub(crate) use inspect::{Inspection, Section};
 pub use plan::{Family, Plan, Start};
-pub use show::{SHOW_KEYS, Show, show};
+pub use show::{Constant, SHOW_KEYS, Show, show};
 pub(crate) use surface::{Display, Drawn, Fill, draw_parts};
 pub use tables::{
     B_SPLINE_KEYS, B_SPLINE_POLES_KEYS, BETA_KEYS, BEZIER_KEYS, FINER_KEYS, HERMITE_KEYS, LOCAL_KEYS,
@@ -29,12 +29,12 @@ use super::lens::Held;
 use super::picture::{Layer, Page};
 use super::seen::Item;
 use super::stage::Stage;
-use super::{Craft, Editor, refusal};
+use super::{Craft, Dial, Editor, refusal};
 use crate::design::{DesignError, Index, NetDesign, Part, nets};
 use crate::file::{Document, Format, Method, Net, NetKind, NetSettings};
 use crate::geometry::{Border, BoundingBox, ParamSurface, Point};
-use crate::machine::{Asked, Asking, Tick};
-use crate::ui::look::{Look, Poles, Viewer};
+use crate::machine::{Asked, Asking, Key, Tick};
+use crate::ui::look::{Look, Poles, SIGHT_KEY, Viewer};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{self, Commands, Desk, Hint, Stay};
 use crate::work::Next;
@@ -288,6 +288,12 @@ impl Craft<3> for Nets {
     }
 
     fn looked(editor: &mut Editor<Nets, 3>, desk: &mut Desk<'_>, tick: &Tick) -> bool {
+        if tick.letter().map(Key::Char) == Some(SIGHT_KEY) {
+            let sight = editor.lens.look.sight().next();
+            editor.lens.look = editor.lens.look.seen_from(sight, editor.bounds());
+            desk.tell(sight.told(), Stay::Briefly);
+            return true;
+        }
         let display = match tick.letter().filter(|_| editor.stage.is_result() && editor.craft.asks_display())
         {
             Some('D') => Display::Wire,
@@ -301,6 +307,22 @@ impl Craft<3> for Nets {
     /// A click on the map chooses its point.
     fn clicked(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {
         editor.map().hit(at).map(Action::ChangeAt)
+    }
+
+    fn dials(editor: &Editor<Nets, 3>) -> Vec<Dial> {
+        editor.value_dials()
+    }
+
+    fn dialled(editor: &Editor<Nets, 3>, dial: usize, to: f64) -> NetDesign {
+        editor.with_dial(dial, to)
+    }
+
+    /// The points of the net, while it is in the picture.
+    fn handles(editor: &Editor<Nets, 3>) -> Vec<Handle> {
+        if editor.craft.drawn.is_some() || editor.craft.beside.gauss {
+            return Vec::new();
+        }
+        editor.history.now().indices().map(Handle::Point).collect()
     }
 
     fn value_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {
@@ -384,5 +406,12 @@ impl Craft<3> for Nets {
 impl Editor<Nets, 3> {
     fn map(&self) -> Map {
         Map::new(self.history.now().choices())
+    }
+
+    /// A box round the net and the surface that is drawn.
+    fn bounds(&self) -> Option<BoundingBox<3>> {
+        let net = BoundingBox::around(self.history.now().net.points.iter().flatten().copied());
+        let drawn = self.craft.drawn.as_ref().and_then(|drawn| drawn.bounds());
+        net.into_iter().chain(drawn).reduce(BoundingBox::union)
     }
 }

@@ -7,13 +7,13 @@ use super::surface::{Display, Drawn, Fill, draw_parts};
 use super::tables::Action;
 use super::{Handle, Nets};
 use crate::design::{Index, NetDesign, Part};
-use crate::editor::Editor;
 use crate::editor::lens::Lens;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::{Item, Own};
+use crate::editor::{Dial, Editor};
 use crate::figure::{Axes, Figure, Hidden};
 use crate::geometry::{BoundingBox, Grid, Point, View};
-use crate::machine::Language;
+use crate::machine::{Language, Manner};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::Area;
 use crate::ui::look::Look;
@@ -58,7 +58,7 @@ impl Own<3> for Surfaced {
 
     /// Lines cannot tell what colours tell.
     fn plot(&self, figure: &mut Figure) -> bool {
-        let view = self.look.view;
+        let view = self.look.seen();
         let grids: Vec<Grid> = self.drawn.parts.iter().map(|part| part.grid.clone()).collect();
         figure.plot_surfaces(&grids, &view, hidden(self.display));
         for line in self.section.into_iter().flat_map(|section| section.lines(&self.drawn)) {
@@ -85,7 +85,10 @@ impl Editor<Nets, 3> {
         {
             return items;
         }
-        if let Some(drawn) = &self.craft.drawn {
+        // While a potentiometer is turned, the surface follows it.
+        let turned = self.turning.held.is_some() && self.craft.drawn.is_some();
+        let turned = turned.then(|| self.craft.draw_up(&self.preview()).ok()).flatten().map(Rc::new);
+        if let Some(drawn) = turned.as_ref().or(self.craft.drawn.as_ref()) {
             let mut items = vec![self.surface(Rc::clone(drawn), Color::White)];
             items.extend(self.craft.frame.items(self.history.now()));
             return items;
@@ -185,14 +188,21 @@ impl Editor<Nets, 3> {
     }
 
     fn picked(&self) -> Option<Index> {
-        self.held.map(|held| held.handle.index()).or(self.craft.chosen.map(|(index, _)| index))
+        let held = self.held.map(|held| held.handle);
+        let by_tab = self.picked.filter(|_| self.craft.chosen.is_none());
+        held.or(by_tab).map(Handle::index).or(self.craft.chosen.map(|(index, _)| index))
     }
 
     /// The line under the picture: the point being dragged or changed.
     fn line(&self, language: Language) -> Option<String> {
         let (index, part) = match self.held {
             Some(held) => (held.handle.index(), Part::Place),
-            None => self.craft.chosen?,
+            None => {
+                let place = |index| (index, Part::Place);
+                let by_tab = self.picked.map(|handle| place(handle.index()));
+                let under = || self.point_at(self.mouse).filter(|_| self.manner == Manner::Today).map(place);
+                self.craft.chosen.or(by_tab).or_else(under)?
+            }
         };
         if self.held.is_some_and(|held| matches!(held.handle, Handle::Normal(_))) {
             let normal = self.preview().normal(index)?.map(|x| format!("{x:.3}")).join(", ");
@@ -208,7 +218,7 @@ impl Editor<Nets, 3> {
 
     /// The shape parameters under the picture: where they begin, their names and values, and what changes them.
     fn values(&self) -> Vec<(i32, Words, String, Action)> {
-        let net = self.history.now();
+        let net = self.preview();
         let (bias, tension, k0) = (net.bias(), net.tension(), net.k0());
         let two = |value: f64| format!("{value:.2}");
         let value = |x, name, direction: usize, value: String, action: fn(Option<usize>) -> Action| {
@@ -234,6 +244,47 @@ impl Editor<Nets, 3> {
         for (x, name, value, _) in self.values() {
             screen.text(x, VALUES_Y, &format!("{}{value}", name.of(language)), Color::Black);
         }
+        self.value_dials().iter().for_each(|dial| dial.draw(screen));
+    }
+
+    /// The shape parameters with their tracks over them.
+    pub(super) fn value_dials(&self) -> Vec<Dial> {
+        if self.manner != Manner::Today || !self.stage.begun() || self.stage.is_result() {
+            return Vec::new();
+        }
+        let net = self.preview();
+        let dial = |(x, _, _, action): &(i32, Words, String, Action)| {
+            let of = |values: [f64; 2], direction: usize| values.get(direction).copied().unwrap_or_default();
+            let (value, track, allowed, step) = match action {
+                Action::Bias(Some(direction)) => (of(net.bias(), *direction), [0.05, 8.0], [0.05, 20.0], 0.1),
+                Action::Tension(Some(direction)) => {
+                    (of(net.tension(), *direction), [-20.0, 20.0], [-1e6, 1e6], 0.5)
+                }
+                Action::K0(Some(direction)) => (of(net.k0(), *direction), [0.0, 1.0], [0.0, 1.0], 0.05),
+                _ => return None,
+            };
+            Some(Dial::new((*x, VALUES_Y), VALUE_LETTERS, -4, value, track).by(step, allowed))
+        };
+        self.values().iter().filter_map(dial).collect()
+    }
+
+    /// The net with the value of a potentiometer changed.
+    pub(super) fn with_dial(&self, dial: usize, to: f64) -> NetDesign {
+        let now = self.history.now();
+        let Some((.., action)) = self.values().into_iter().nth(dial) else { return now.clone() };
+        let set = |mut values: [f64; 2], direction: usize| {
+            if let Some(value) = values.get_mut(direction) {
+                *value = to;
+            }
+            Some(values)
+        };
+        let (bias, tension, k0) = (now.bias(), now.tension(), now.k0());
+        now.with_settings(|settings| match action {
+            Action::Bias(Some(direction)) => settings.bias = set(bias, direction),
+            Action::Tension(Some(direction)) => settings.tension = set(tension, direction),
+            Action::K0(Some(direction)) => settings.k0 = set(k0, direction),
+            _ => {}
+        })
     }
 
     /// What changes the parameter that is shown at a pixel.
@@ -275,7 +326,7 @@ impl Editor<Nets, 3> {
             let point = of(net, index)?;
             let (px, py) = self.lens.pixel(point);
             let near = (px - x).pow(2) + (py - y).pow(2) <= REACH * REACH;
-            near.then(|| (index, self.lens.look.view.depth(point)))
+            near.then(|| (index, self.lens.look.seen().depth(point)))
         });
         under.max_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(index, _)| index)
     }

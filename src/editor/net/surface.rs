@@ -3,6 +3,7 @@
 use super::plan::Family;
 use super::{Nets, normals};
 use crate::design::{DesignError, NetDesign};
+use crate::geometry::painter::Step;
 use crate::geometry::{BoundingBox, DepthBuffer, GeometryError, Grid, ParamSurface, Point, Vertex};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
@@ -224,6 +225,26 @@ pub(crate) fn draw_cells(
     show(screen, &buffer, corner);
 }
 
+/// Draws cells of a grid one over the other, in the order of a painter's steps; the last one in another colour.
+pub(super) fn draw_in_order(screen: &mut Screen, grid: &Grid, look: Look, steps: &[Step]) {
+    let cells: Vec<[usize; 4]> = grid.cells().collect();
+    let mut buffer = DepthBuffer::new(WIDTH as usize, HEIGHT as usize);
+    for (order, step) in steps.iter().enumerate() {
+        let Some(cell) = cells.get(step.face) else { continue };
+        let corners = cell.map(|corner| {
+            let (x, y) = look.to_screen(grid.points().get(corner).copied().unwrap_or([0.0; 3]));
+            Vertex { x, y, depth: order as f32 }
+        });
+        let (fill, edge) = match (order + 1 == steps.len(), step.spoils > 0) {
+            (false, _) => (Color::Black, Color::White),
+            (true, false) => (Color::Brown, Color::Yellow),
+            (true, true) => (Color::Red, Color::LightRed),
+        };
+        buffer.cell(&corners, fill as u8, Some(edge as u8));
+    }
+    show(screen, &buffer, (0, 0));
+}
+
 /// A projected cell.
 struct Cell {
     corners: [Vertex; 4],
@@ -249,7 +270,7 @@ fn seen(vertices: &[Vertex]) -> Option<((i32, i32), [usize; 2])> {
 
 fn vertex(look: Look, point: Point<3>) -> Vertex {
     let (x, y) = look.to_screen(point);
-    Vertex { x, y, depth: look.view.depth(point) as f32 }
+    Vertex { x, y, depth: look.seen().depth(point) as f32 }
 }
 
 /// Whether the lower side of a height field's cell is visible: its corners then have the opposite orientation.

@@ -2,9 +2,10 @@
 
 use super::plan::{Family, Plan};
 use crate::design::Index;
-use crate::editor::keys::{HOME, QUIT, SAVE, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
+use crate::editor::keys::{HOME, QUIT, SAVE, SIGHT, TURN_DRAG, TURN_KEYS, UNDO, ZOOM};
 use crate::geometry::Topology;
 use crate::machine::Key;
+use crate::ui::look::SIGHT_KEY;
 use crate::ui::words::{self, Words};
 use crate::ui::{Button, Command, Commands, KeyHelp};
 
@@ -69,6 +70,7 @@ const K0: Row = Command::button(
 const DRAG: Row = Command::told((Words("egér", "mouse"), words::HELP_NET_DRAG));
 const TURN: [Row; 4] =
     [Command::told(TURN_DRAG), Command::told(TURN_KEYS), Command::told(ZOOM), Command::told(HOME)];
+const PROJECTION: Row = Command::elsewhere(SIGHT_KEY, SIGHT);
 const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_NET_FOLLOW), Action::Follow);
 const BORDER: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_BORDER), Action::Border);
 const POLES: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_POLES), Action::Border);
@@ -81,6 +83,8 @@ const INSPECT: Row = Command::elsewhere(Key::F(5), (Words("F5", "F5"), words::HE
 const SECTION: Row = Command::elsewhere(Key::F(6), (Words("F6", "F6"), words::HELP_SECTION));
 const MIRROR: Row = Command::key(Key::F(7), (Words("F7", "F7"), words::HELP_MIRROR), Action::Mirror);
 const REFINE: Row = Command::key(Key::F(8), (Words("F8", "F8"), words::HELP_REFINE), Action::Refine);
+const PICK: Row = Command::told((Words("Tab X Y Z", "Tab X Y Z"), words::HELP_PICK_3D));
+const DIAL: Row = Command::told((Words("PgUp PgDn", "PgUp PgDn"), words::HELP_DIAL));
 const STORE: Row = Command::told(SAVE);
 const BACK: Row = Command::told(UNDO);
 
@@ -120,6 +124,7 @@ const NORMALS: Commands<Action> = Commands(&[
     TURN[1],
     TURN[2],
     TURN[3],
+    PROJECTION,
     FOLLOW,
     COMPARE,
     INSPECT_RADII,
@@ -127,40 +132,41 @@ const NORMALS: Commands<Action> = Commands(&[
     HULL,
     MIRROR,
     GAUSS,
+    PICK,
     STORE,
     BACK,
 ]);
 const HERMITE: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, JOIN, INSPECT, SECTION,
-    FRAME, WEIGHT, MIRROR, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, JOIN,
+    INSPECT, SECTION, FRAME, WEIGHT, MIRROR, PICK, STORE, BACK,
 ]);
 const LOCAL: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, K0, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    FRAME, WEIGHT, MIRROR, STORE, BACK,
+    CHANGE, SURFACE, RESULT, K0, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW,
+    INSPECT, SECTION, FRAME, WEIGHT, MIRROR, DIAL, PICK, STORE, BACK,
 ]);
 const BETA: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, BIAS, TENSION, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT,
-    SECTION, FRAME, WEIGHT, MIRROR, STORE, BACK,
+    CHANGE, SURFACE, RESULT, BIAS, TENSION, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION,
+    FOLLOW, INSPECT, SECTION, FRAME, WEIGHT, MIRROR, DIAL, PICK, STORE, BACK,
 ]);
 const B_SPLINE: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, BORDER, INSPECT,
-    SECTION, FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, BORDER,
+    INSPECT, SECTION, FRAME, WEIGHT, MIRROR, REFINE, PICK, STORE, BACK,
 ]);
 const B_SPLINE_POLES: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, TRIPLE, INSPECT,
-    SECTION, FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, TRIPLE,
+    INSPECT, SECTION, FRAME, WEIGHT, MIRROR, REFINE, PICK, STORE, BACK,
 ]);
 const FINER: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, INSPECT, SECTION,
-    FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, INSPECT,
+    SECTION, FRAME, WEIGHT, MIRROR, REFINE, PICK, STORE, BACK,
 ]);
 const SPLINE_POLES: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, POLES, INSPECT,
-    SECTION, FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, POLES,
+    INSPECT, SECTION, FRAME, WEIGHT, MIRROR, REFINE, PICK, STORE, BACK,
 ]);
 const BEZIER: Commands<Action> = Commands(&[
-    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], FOLLOW, JOIN, INSPECT, SECTION,
-    FRAME, WEIGHT, MIRROR, REFINE, STORE, BACK,
+    CHANGE, SURFACE, RESULT, LEAVE, DRAG, TURN[0], TURN[1], TURN[2], TURN[3], PROJECTION, FOLLOW, JOIN,
+    INSPECT, SECTION, FRAME, WEIGHT, MIRROR, REFINE, PICK, STORE, BACK,
 ]);
 
 /// The commands of a program.
