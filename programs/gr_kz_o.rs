@@ -36,12 +36,8 @@ const MANUAL: Manual = Manual {
             "3. Put its border alone by XOR: 15 XOR 15 = 0, black.",
         )),
         Lesson::Line(Words(
-            "Ahol k = 0, ott c marad. Mozgás előtt a mentett háttér visszakerül.",
-            "Where k = 0, c stays. Before a move the saved background is put back.",
-        )),
-        Lesson::Line(Words(
-            "A műveletek színszámokkal számolnak: más paletta (F9) nem változtat.",
-            "Operations act on colour numbers: another palette (F9) changes none.",
+            "Ahol k = 0, c marad; a paletta (F9) nem számít. Végül c visszakerül.",
+            "Where k = 0, c stays; no palette (F9) matters. At last c is put back.",
         )),
         Lesson::Operation(Put::Or),
         Lesson::Operation(Put::Xor),

@@ -20,32 +20,20 @@ const MANUAL: Manual = Manual {
     keys: cursor::KEYS,
     lesson: &[
         Lesson::Line(Words(
-            "A kurzor képe XOR művelettel kerül a képernyőre, a színszámok bitjein.",
-            "The image of the cursor is put by XOR, on the bits of colour numbers.",
+            "A kép XOR művelettel kerül a színszámokra: a paletta (F9) nem számít.",
+            "The image is put by XOR on colour numbers: palettes (F9) change none.",
         )),
         Lesson::Line(Words(
-            "Fekete (0) képpontja alatt c marad c, fehér (15) alatt 15-c lesz.",
-            "Under its black pixels (0) c stays, under white ones (15) it is 15-c.",
+            "Fekete (0) képpontja alatt c marad c, fehér (15) alatt NOT c = 15-c.",
+            "Under its black pixels (0) c stays, under white ones (15) it is NOT c,",
         )),
         Lesson::Line(Words(
-            "Ugyanoda még egyszer kitéve eltűnik: (c XOR k) XOR k = c. A hátteret",
-            "Put there once more it vanishes: (c XOR k) XOR k = c. The background",
+            "Még egyszer kitéve eltűnik: (c XOR k) XOR k = c. A hátteret nem kell",
+            "15-c. Once more it vanishes: (c XOR k) XOR k = c. Nothing is saved,",
         )),
         Lesson::Line(Words(
-            "nem kell elmenteni, de a kurzor színe attól függ, mi van alatta.",
-            "need not be saved, but the colour of the cursor depends on it.",
-        )),
-        Lesson::Line(Words(
-            "XOR: minden sorban minden szín egyszer áll, ezért fordítható vissza.",
-            "XOR: every row has every colour once, so that it can be undone.",
-        )),
-        Lesson::Line(Words(
-            "AND: a közös bitek maradnak. NOT c = 15-c, ugyanaz, mint c XOR 15.",
-            "AND: the common bits stay. NOT c = 15-c, the same as c XOR 15.",
-        )),
-        Lesson::Line(Words(
-            "A műveletek színszámokkal számolnak: más paletta (F9) nem változtat.",
-            "Operations act on colour numbers: another palette (F9) changes none.",
+            "menteni, de a kurzor színe c-től függ. AND: a közös bitek maradnak.",
+            "but the cursor's colour depends on c. AND keeps the bits both have.",
         )),
         Lesson::Operation(Put::Xor),
         Lesson::Operation(Put::And),

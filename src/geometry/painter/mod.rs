@@ -71,7 +71,7 @@ pub struct Painting {
     pub boxes: usize,
     /// Pairs of them where a test told which one is nearer.
     pub decided: usize,
-    /// Whether these pairs allow a right order at all.
+    /// Whether some order suits all of these pairs. If none does, what is wrong may still be covered in the end.
     pub possible: bool,
     /// The pixels that are wrong in the end: column and row.
     pub wrong: Vec<[i32; 2]>,
