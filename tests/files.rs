@@ -302,7 +302,7 @@ fn wrong_json_names_the_line_and_the_field() {
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"settings\": {\"k1\": 3}}",
-            "line 1, settings.k1: unknown field `k1`, expected one of `method`, `closed`, `k0`, `bias`, `tension`, `knots`, `start`, `end`",
+            "line 1, settings.k1: unknown field `k1`, expected one of `method`, `closed`, `k0`, `bias`, `tension`, `degree`, `knots`, `start`, `end`, `smooth`",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"tangents\": [[1, 2]]}",
