@@ -184,7 +184,7 @@ fn points_and_values_of_nets_are_changed_by_keys_too() {
     let program = grafika::programs::zm_betsp::PROGRAM;
     let start = model(program, "K2.ZMB", "");
     let moved = model(program, "K2.ZMB", "key Tab\nkey Tab\nkey Z\nkey Up\nkey Up\n");
-    let z = |model: &Value| model["points"][0][1][2].as_f64().unwrap();
+    let z = |model: &Value| model["points"][0][0][2].as_f64().unwrap();
     assert_eq!(z(&moved), z(&start) + 2.0);
     let turned = model(program, "K2.ZMB", "key PageUp\nkey PageUp\nmove 300 474\nwheel 3\n");
     assert_eq!((&turned["bias"], &turned["tension"]), (&json!([1.2, 1.0]), &json!([1.5, 0.0])));

@@ -82,8 +82,7 @@ fn two_series_are_a_product_and_methods_take_what_they_have() {
 #[test]
 fn joints_are_where_spans_end() {
     let circles = |words: &str| svg(words, "joints.svg").matches("<circle").count();
-    // 32 points of a closed curve; 8 in space.
-    assert_eq!(circles("D.IP2 --method spline --joints"), circles("D.IP2 --method spline --points"));
+    assert_eq!(circles("O.IP2 --method spline --joints"), circles("O.IP2 --method spline --points"));
     assert_eq!(circles("A.IP3 --method beta --closed --joints"), 8);
     assert_eq!(circles("A.IP3 --method beta --joints"), 8);
     assert_eq!(circles("A.IP3 --method bezier --joints"), 2);

@@ -63,7 +63,7 @@ fn tangents(points: &Points) -> String {
     list(&points.iter().map(|[x, y]| [y - 130.0, 170.0 - x]).collect())
 }
 
-const CURVES: [Row; 20] = [
+const CURVES: [Row; 22] = [
     ("Fourier", "all derivatives", Claim::C(2), |points| {
         let row = |axis: usize, part: f64| {
             let mut row = vec![0.0; 21];
@@ -86,8 +86,23 @@ const CURVES: [Row; 20] = [
     ("local spline, Overhauser", "C1", Claim::C(1), |points| named(points, "coons", r#","k0":0.7"#)),
     ("spline", "C2", Claim::C(2), |points| named(points, "spline", "")),
     ("Bézier", "all derivatives, one arc", Claim::One, |points| named(points, "bezier", "")[..1].to_vec()),
+    ("Bézier arcs", "G1 in smooth joints, else corners", Claim::G(1), |p| {
+        let along = [0, 1].map(|d| (p[4][d] - p[0][d]) / 6.0);
+        let beside = |part: f64| [0, 1].map(|d| p[2][d] + part * along[d]);
+        let points = vec![p[0], p[1], beside(-1.0), p[2], beside(1.7), p[3], p[4]];
+        vec![format!(
+            r#"{{"format":"IP2","points":{},"settings":{{"method":"arcs","smooth":[4]}}}}"#,
+            list(&points)
+        )]
+    }),
     ("B-spline, degree 2", "C1", Claim::C(1), |points| named(points, "bspline2", "")),
     ("B-spline, degree 3", "C2", Claim::C(2), |points| named(points, "bspline3", "")),
+    ("B-spline, degree 1 to 5", "C(degree - 1) at single knots", Claim::C(2), |points| {
+        [3, 4, 5]
+            .iter()
+            .flat_map(|degree| named(points, "bspline", &format!(r#","degree":{degree}"#)))
+            .collect()
+    }),
     ("beta-spline", "G2", Claim::G(2), |points| named(points, "beta", r#","bias":1.7,"tension":3"#)),
     ("EC curves", "all derivatives in an arc", Claim::One, |points| {
         let points: Vec<[f64; 3]> = points[..4].iter().map(|[x, y]| [*x, *y, 0.0]).collect();

@@ -425,7 +425,7 @@ fn assert_like_script(
 ) {
     use grafika::machine::{Machine, Memory, Script, Session, Settings, play};
     let Some((_server, display)) = server() else { return };
-    let parsed = Script::parse(&format!("lang en\nmanner today\n{script}wait 9000\n")).unwrap();
+    let parsed = Script::parse(&format!("lang en\nmanner today\n{script}move 638 478\nwait 9000\n")).unwrap();
     let machine = Machine::new(Box::new(Memory::default()), parsed.begun_with(Settings::default()));
     let start = (program.start)(None).unwrap_or_else(|_| panic!("it needs no document"));
     let mut session = Session::start(machine, move |mut machine| async move { start(&mut machine).await });
