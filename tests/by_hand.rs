@@ -5,7 +5,7 @@ mod common;
 
 use common::{Kept, SharedDisk, pictures, session};
 use grafika::machine::{Script, Settings, Storage, play, sample};
-use grafika::programs::{gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip};
+use grafika::programs::{f_p_bets, f_p_hspl, gb_2d_bt, gb_2d_ch, gb_2d_ip, gb_3d_ip};
 use grafika::ui::Program;
 use serde_json::{Value, json};
 
@@ -109,6 +109,27 @@ fn wheel_keys_and_potentiometer_turn_bias_and_tension() {
     assert_eq!((&old["bias"], &old["tension"], old.get("chosen")), (&json!(1.0), &json!(0.0), None));
     let (picture, _) = played(BT, "K.IP2", "key Tab\nmove 60 44\nwheel 4\nshot s.png\n");
     pictures::assert_golden("by_hand_beta", &picture.pictures["s.png"]);
+}
+
+/// The values of surfaces have potentiometers under the picture.
+#[test]
+fn the_values_of_a_surface_are_turned_too() {
+    let of = |program: Program, name: &str, key: &str, script: &str| -> [f64; 2] {
+        serde_json::from_value(model(program, name, script)[key].clone()).unwrap()
+    };
+    for surface in ["", "type ft\n"] {
+        let tension = |script: &str| of(f_p_bets::PROGRAM, "Z.FBS", "tension", &format!("{surface}{script}"));
+        let [along_u, along_v] = tension("drag 343 466 383 466\n");
+        assert!(along_u > 10.0 && along_v == 0.0, "{along_u} {along_v}");
+        assert_eq!(tension("drag 343 466 383 466\nkey Ctrl+Z\n"), [0.0; 2]);
+        assert_eq!(tension("move 480 474\nwheel 2\nkey PageUp\n"), [0.0, 1.5]);
+        // While the knob is held, the surface follows it.
+        let held = "move 343 466\npress left\nmove 383 466\nshot held.png\n";
+        assert_ne!(tension(&format!("{held}release left\n")), [0.0; 2]);
+        assert_eq!(tension(&format!("{held}key Esc\nrelease left\n")), [0.0; 2]);
+        let k0 = format!("{surface}move 125 474\nwheel -4\n");
+        assert_eq!(of(f_p_hspl::PROGRAM, "A.FPS", "k0", &k0).map(|it| (it * 100.0).round()), [30.0, 50.0]);
+    }
 }
 
 #[test]

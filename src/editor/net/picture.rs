@@ -218,7 +218,11 @@ impl Editor<Nets, 3> {
 
     /// The shape parameters under the picture: where they begin, their names and values, and what changes them.
     fn values(&self) -> Vec<(i32, Words, String, Action)> {
-        let net = self.preview();
+        self.values_of(&self.preview())
+    }
+
+    /// The same of a net.
+    fn values_of(&self, net: &NetDesign) -> Vec<(i32, Words, String, Action)> {
         let (bias, tension, k0) = (net.bias(), net.tension(), net.k0());
         let two = |value: f64| format!("{value:.2}");
         let value = |x, name, direction: usize, value: String, action: fn(Option<usize>) -> Action| {
@@ -271,7 +275,8 @@ impl Editor<Nets, 3> {
     /// The net with the value of a potentiometer changed.
     pub(super) fn with_dial(&self, dial: usize, to: f64) -> NetDesign {
         let now = self.history.now();
-        let Some((.., action)) = self.values().into_iter().nth(dial) else { return now.clone() };
+        // Of the net as it is: the preview asks here.
+        let Some((.., action)) = self.values_of(now).into_iter().nth(dial) else { return now.clone() };
         let set = |mut values: [f64; 2], direction: usize| {
             if let Some(value) = values.get_mut(direction) {
                 *value = to;
