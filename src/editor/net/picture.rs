@@ -267,7 +267,7 @@ impl Editor<Nets, 3> {
                 Action::K0(Some(direction)) => (of(net.k0(), *direction), [0.0, 1.0], [0.0, 1.0], 0.05),
                 _ => return None,
             };
-            Some(Dial::new((*x, VALUES_Y), VALUE_LETTERS, -4, value, track).by(step, allowed))
+            Some(Dial::new((*x, VALUES_Y), VALUE_LETTERS, -2, value, track).by(step, allowed))
         };
         self.values().iter().filter_map(dial).collect()
     }
