@@ -192,7 +192,7 @@ fn several_values_of_a_parameter_are_shown_together() {
     );
     pictures::assert_golden("by_hand_series", &kept.pictures["s.png"]);
     let svg = String::from_utf8(disk.file("gb_2d_bt-1.svg")).unwrap();
-    assert!(["b2=2", "b2=5", "b2=20"].iter().all(|name| svg.contains(name)));
+    assert!(["tension=2", "tension=5", "tension=20"].iter().all(|name| svg.contains(name)));
     // A wrong value is told and asked for again; nothing ends the series.
     let again = model(BT, "K.IP2", "key F4\nkey C\ntype 2 x\nkey Enter\nkey Space\nkey Esc\n");
     assert_eq!(again.get("series"), None);
@@ -205,7 +205,7 @@ fn points_and_values_of_nets_are_changed_by_keys_too() {
     let program = grafika::programs::zm_betsp::PROGRAM;
     let start = model(program, "K2.ZMB", "");
     let moved = model(program, "K2.ZMB", "key Tab\nkey Tab\nkey Z\nkey Up\nkey Up\n");
-    let z = |model: &Value| model["points"][0][0][2].as_f64().unwrap();
+    let z = |model: &Value| model["points"][0][1][2].as_f64().unwrap();
     assert_eq!(z(&moved), z(&start) + 2.0);
     let turned = model(program, "K2.ZMB", "key PageUp\nkey PageUp\nmove 300 474\nwheel 3\n");
     assert_eq!((&turned["bias"], &turned["tension"]), (&json!([1.2, 1.0]), &json!([1.5, 0.0])));
@@ -223,4 +223,29 @@ fn tab_and_arrows_change_the_prepared_answer() {
         [false, true, false].map(Value::from)
     );
     assert_eq!(closed("key Right\n"), true);
+}
+
+#[test]
+fn a_chosen_point_is_let_go_when_it_may_be_another_one() {
+    let count = |model: &Value| model["points"].as_array().unwrap().len();
+    let start = model(IP, "O.IP2", "");
+    let deleted = model(IP, "O.IP2", "key Tab\nkey Tab\nkey Tab\nkey T\ntype 1\nkey Enter\nkey Up\n");
+    assert_eq!((count(&deleted), deleted.get("chosen")), (5, None));
+    assert_eq!(deleted["points"].as_array().unwrap()[..], start["points"].as_array().unwrap()[1..]);
+    // Delete takes the chosen point, where nothing is under the mouse.
+    let deleted = model(IP, "O.IP2", "move 600 80\nkey Tab\nkey Tab\nkey Delete\n");
+    assert_eq!((count(&deleted), &deleted["points"][1]), (5, &start["points"][2]));
+    // Undo that takes the chosen point away lets it go.
+    let undone = model(
+        IP,
+        "O.IP2",
+        "click 300 400\nkey Tab\nkey Tab\nkey Tab\nkey Tab\nkey Tab\nkey Tab\nkey Tab\nkey Ctrl+Z\n",
+    );
+    assert_eq!((count(&undone), undone.get("chosen")), (6, None));
+    // Shift belongs to the row that one undo takes back.
+    let row = "key Tab\nkey Right\npress shift\nkey Right\nrelease shift\nkey Right\nkey Ctrl+Z\n";
+    assert_eq!(model(IP, "O.IP2", row)["points"], start["points"]);
+    // What the weights cover cannot be clicked.
+    assert_eq!(count(&model(IP, "O.IP2", "key W\nkey Space\nclick 102 440\n")), 6);
+    assert_eq!(count(&model(IP, "O.IP2", "click 102 440\n")), 7);
 }

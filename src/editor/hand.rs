@@ -71,6 +71,13 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         self.turning = Turning::default();
     }
 
+    /// Forgets the chosen handle if a command has changed the value, since it may mean another one then.
+    pub(super) fn forget_changed(&mut self, before: &C::Value) {
+        if self.picked.is_some() && self.history.now() != before {
+            self.let_hand_go();
+        }
+    }
+
     /// Takes up an event for a potentiometer or the chosen handle; returns whether it was for one.
     pub(super) fn turns_by_hand(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
         if self.manner != Manner::Today {
@@ -140,7 +147,8 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
     fn moves_picked(&mut self, tick: &Tick) -> bool {
         let Some(event) = tick.event else { return false };
         let Event::Key(key) = event else {
-            if !matches!(event, Event::Move(..)) {
+            // Shift only makes the steps of a row longer or shorter.
+            if !matches!(event, Event::Move(..) | Event::Hold(..)) {
                 self.turning.row = None;
             }
             return false;

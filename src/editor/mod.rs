@@ -310,9 +310,12 @@ impl<C: Craft<D>, const D: usize> Work for Editor<C, D> {
             {
                 // Only the picture changes.
             } else if common_key(self, desk, tick.key()).await? {
+                self.picked = self.picked.filter(|picked| C::handles(self).contains(picked));
                 C::changed(self);
             } else if let Some(action) = self.command(&tick) {
+                let before = self.history.now().clone();
                 let next = C::obey(self, desk, action).await.unless_cancelled()?.unwrap_or(Next::Work);
+                self.forget_changed(&before);
                 if next != Next::Work {
                     return Ok(next);
                 }

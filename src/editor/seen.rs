@@ -14,7 +14,7 @@ pub(crate) enum Item<const D: usize> {
     /// Where spans join.
     Joint(Point<D>),
     /// A tangent, drawn from its tip to the tip's mirror image.
-    Tangent { tip: Point<D>, point: Point<D> },
+    Tangent { tip: Point<D>, point: Point<D>, fill: Color },
     /// A control point with its number, counted from 1.
     Disc { at: Point<D>, number: usize, fill: Color },
     /// A control point in the store, which is not part of a figure.
@@ -69,11 +69,11 @@ impl<const D: usize> Item<D> {
                 screen.disc(x, y, 3, Color::Black, Color::White);
                 screen.circle(x, y, 3, Stroke::thick(Color::White));
             }
-            Item::Tangent { tip, point } => {
+            Item::Tangent { tip, point, fill } => {
                 let ((x, y), (tip_x, tip_y)) = (lens.pixel(*point), lens.pixel(*tip));
                 let stroke = Stroke::thin(Color::White).dotted();
                 screen.line(tip_x, tip_y, 2 * x - tip_x, 2 * y - tip_y, stroke);
-                screen.disc(tip_x, tip_y, TIP_RADIUS, Color::DarkGray, Color::White);
+                screen.disc(tip_x, tip_y, TIP_RADIUS, *fill, Color::White);
             }
             Item::Disc { at, number, fill } | Item::Stored { at, number, fill } => {
                 numbered_disc(screen, lens.pixel(*at), *number, *fill);
@@ -117,7 +117,7 @@ impl<const D: usize> Item<D> {
                 lens.plot(figure, &**curve, ink);
             }
             Item::Joint(at) => figure.plot_joint(lens.flat(*at)),
-            Item::Tangent { tip, point } => {
+            Item::Tangent { tip, point, .. } => {
                 let [tip, [x, y]] = [tip, point].map(|place| lens.flat(*place));
                 figure.plot_tangent(tip, [2.0 * x - tip[0], 2.0 * y - tip[1]]);
             }

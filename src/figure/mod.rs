@@ -62,7 +62,7 @@ pub use mesh::Mesh;
 pub use model::{MODEL_TOLERANCE, ModelFormat, ModelOptions};
 pub use ph::{CUT_INK, OFFSET_INK};
 pub use picture::{Figure, LARGEST_WIDTH, LONGEST_CAPTION, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
-pub use plot::{CURVE_INK, Hidden, SERIES_INKS, closure, print_ink, tolerance};
+pub use plot::{CURVE_INK, Hidden, SERIES_INKS, closure, point_labels, print_ink, tolerance};
 pub use screen_png::{LARGEST_SCALE, screen_png, screen_png_of_scale};
 pub use screen_shapes::{screen_pdf, screen_svg};
 pub use skin::{is_hole, outline_step};

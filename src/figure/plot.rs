@@ -157,8 +157,8 @@ impl Figure {
     /// Adds control points with their numbers from 1 on. Points at the same place are one, with all their numbers, as
     /// in "4-6".
     pub fn plot_points(&mut self, points: &[Point<2>]) {
-        for (point, numbers) in places(points) {
-            self.plot_point(point, Some(ranges(&numbers)));
+        for (point, label) in point_labels(points) {
+            self.plot_point(point, Some(label));
         }
     }
 
@@ -204,10 +204,16 @@ impl Figure {
     }
 }
 
+/// The different places of points with their numbers from 1 on, as in "4-6" where several are at one place.
+#[must_use]
+pub fn point_labels<const D: usize>(points: &[Point<D>]) -> Vec<(Point<D>, String)> {
+    places(points).into_iter().map(|(point, numbers)| (point, ranges(&numbers))).collect()
+}
+
 /// Different places in the order of their first points, with the numbers of their points from 1 on.
-fn places(points: &[Point<2>]) -> Vec<(Point<2>, Vec<usize>)> {
-    let mut found: HashMap<[u64; 2], usize> = HashMap::new();
-    let mut places: Vec<(Point<2>, Vec<usize>)> = Vec::new();
+fn places<const D: usize>(points: &[Point<D>]) -> Vec<(Point<D>, Vec<usize>)> {
+    let mut found: HashMap<[u64; D], usize> = HashMap::new();
+    let mut places: Vec<(Point<D>, Vec<usize>)> = Vec::new();
     for (number, &point) in (1..).zip(points) {
         // Zero has one sign here.
         let at = *found.entry(point.map(|x| (x + 0.0).to_bits())).or_insert(places.len());
@@ -335,7 +341,7 @@ mod tests {
         let texts: Vec<String> = found.iter().map(|(_, numbers)| ranges(numbers)).collect();
         assert_eq!(texts, ["1, 5, 7", "2-4", "6"]);
         assert_eq!(found.iter().map(|(place, _)| *place).collect::<Vec<_>>(), [a, b, [9.0, 9.0]]);
-        assert!(places(&[]).is_empty());
+        assert!(places::<2>(&[]).is_empty());
     }
 
     #[test]

@@ -5,6 +5,9 @@
 use super::smooth::spline_points;
 use super::{Bezier, Closure, Curve, GeometryError, ParamCurve, Point, Smoothing, Stage};
 
+/// What rounding leaves of a run of zero, relative to the rise.
+const UPRIGHT: f64 = 1e-12;
+
 /// The slopes of a curve with this tangent: dy/dx, in space dz/dx too. There is none where the curve stands still or
 /// goes straight up, as far as doubles can tell.
 ///
@@ -19,7 +22,7 @@ use super::{Bezier, Closure, Curve, GeometryError, ParamCurve, Point, Smoothing,
 pub fn slopes<const D: usize>(tangent: Point<D>) -> Vec<Option<f64>> {
     let largest = tangent.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let Some((&run, rises)) = tangent.split_first() else { return Vec::new() };
-    let steep = run.abs() <= f64::EPSILON * largest;
+    let steep = run.abs() <= UPRIGHT * largest;
     rises.iter().map(|rise| Some(rise / run).filter(|slope| !steep && slope.is_finite())).collect()
 }
 

@@ -198,6 +198,12 @@ where
         }
     }
 
+    /// Whether the picture of the weights covers a pixel.
+    pub(super) fn weights_cover(&self, (x, y): (i32, i32)) -> bool {
+        let some = || self.present().is_some_and(|(sketch, _)| sketch.weight(0).is_some());
+        self.craft.aids.weights && STRIP.holds(x, y) && some()
+    }
+
     /// Draws the blending functions of all points.
     pub(super) fn draw_weights(&self, page: &mut Page<'_>) {
         if !self.craft.aids.weights {

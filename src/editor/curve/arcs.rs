@@ -36,8 +36,10 @@ where
     /// The fill of a point's disc: red for the one that the arrows move; joints of arcs tell what they are.
     pub(super) fn fill_of(&self, index: usize) -> Color {
         let sketch = self.history.now();
-        if [Handle::Point(index), Handle::Tip(index)].map(Some).contains(&self.picked) {
-            return Color::Red;
+        if self.picked == Some(Handle::Point(index)) {
+            // The corners of arcs are red themselves.
+            let arcs = sketch.arc_point(index).is_some();
+            return if arcs { Color::Magenta } else { Color::Red };
         }
         match sketch.arc_point(index) {
             Some(ArcPoint::Joint([Some(_), Some(_)])) if sketch.is_smooth(index) => SMOOTH,

@@ -399,6 +399,9 @@ where
 
     /// Points come before tips; the point in the store comes after the last one.
     fn handle_at(editor: &Editor<Self, D>, at: (i32, i32)) -> Option<Handle> {
+        if editor.weights_cover(at) {
+            return None;
+        }
         let (sketch, lens) = (editor.history.now(), &editor.lens);
         if Self::STORE.is_some_and(|store| on_disc(lens.pixel(store), at)) && !sketch.full() {
             return Some(Handle::Point(sketch.points.len()));
@@ -540,10 +543,12 @@ where
         match layer {
             Part::Over if editor.craft.layer.is_some() => {
                 editor.paint_layer(layer, page);
+                editor.draw_multiples(page);
                 editor.draw_weights(page);
             }
             Part::Over => {
                 editor.draw_joint_shapes(page);
+                editor.draw_multiples(page);
                 editor.draw_weights(page);
             }
             Part::Titles => editor.draw_titles(page),

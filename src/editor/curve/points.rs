@@ -5,9 +5,11 @@ use super::series::Beside;
 use super::{Ambient, Curves, Handle, Tools, steps};
 use crate::design::{Edit, Place, Sketch};
 use crate::editor::lens::{Held, Lens};
+use crate::editor::picture::Page;
 use crate::editor::seen::{Item, Label};
 use crate::editor::stage::Stage;
 use crate::editor::{Craft, Editor, place};
+use crate::figure::point_labels;
 use crate::file::{MAX_POINTS, Method};
 use crate::geometry::Point;
 use crate::machine::{Asked, Manner};
@@ -64,7 +66,7 @@ where
     /// A new point at a pixel: on the curve between the points there, else behind the last.
     pub(super) fn new_point(&self, at: (i32, i32)) -> Option<Held<Handle, D>> {
         let sketch = self.history.now();
-        if sketch.full() || self.craft.measured {
+        if sketch.full() || self.craft.measured || self.weights_cover(at) {
             return None;
         }
         let (index, place) = match self.on_curve(at) {
@@ -171,7 +173,9 @@ where
         let held_at = |handle| self.held.filter(|held| held.handle == handle).map(|held| held.at);
         for (index, &point) in sketch.points.iter().enumerate() {
             if let Some(tip) = held_at(Handle::Tip(index)).or(self.tip(index)) {
-                items.push(Item::Tangent { tip, point });
+                let picked = self.picked == Some(Handle::Tip(index));
+                let fill = if picked { Color::Red } else { Color::DarkGray };
+                items.push(Item::Tangent { tip, point, fill });
             }
         }
         let points: Vec<Point<D>> = (0..)
@@ -199,6 +203,19 @@ where
                 Some(at) if at.fits() => Item::Disc { at, number, fill: Curves::<D>::FILL },
                 at => Item::Stored { at: at.unwrap_or(store), number, fill: Curves::<D>::FILL },
             });
+        }
+    }
+
+    /// Writes the numbers of points that are at one place beside it, of which one disc is seen.
+    pub(super) fn draw_multiples(&self, page: &mut Page<'_>) {
+        let points = self.stage.begun() && self.stage != (Stage::Result { points: false });
+        if self.manner != Manner::Today || !points {
+            return;
+        }
+        for (at, text) in point_labels(&self.preview().points) {
+            if text.contains(['-', ',']) {
+                Item::Note { at, text, ink: Color::White }.paint(page.screen, &self.lens);
+            }
         }
     }
 
@@ -242,7 +259,7 @@ where
     /// The key Delete: the point under the mouse goes.
     pub(super) fn delete_at(&mut self, desk: &mut Desk<'_>) {
         let mouse = desk.machine.mouse();
-        match Curves::handle_at(self, (mouse.x, mouse.y)) {
+        match Curves::handle_at(self, (mouse.x, mouse.y)).or(self.picked) {
             Some(Handle::Point(index)) if index < self.count() => {
                 self.change(self.history.now().removed(index));
                 desk.tell(words::deleted(index + 1), Stay::Briefly);

@@ -4,14 +4,14 @@
 use super::compare::Kind;
 use super::{Ambient, Curves, Tools, beta};
 use crate::design::{Place, Sketch};
-use crate::editor::Editor;
 use crate::editor::picture::Page;
+use crate::editor::{Editor, refusal};
 use crate::file::Method;
 use crate::geometry::Point;
 use crate::machine::Asked;
 use crate::screen::Color;
 use crate::ui::words::{self, Phrase};
-use crate::ui::{Answer, Desk, Question, TOP};
+use crate::ui::{Answer, Desk, Question, Stay, TOP};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -54,8 +54,8 @@ impl Parameter {
     fn letter(self) -> &'static str {
         match self {
             Parameter::K0 => "k0",
-            Parameter::Bias => "b1",
-            Parameter::Tension => "b2",
+            Parameter::Bias => "bias",
+            Parameter::Tension => "tension",
         }
     }
 
@@ -130,6 +130,12 @@ where
         let proposal = before.map(shown).unwrap_or_default();
         let caption = words::series_of(parameter.name());
         let values = desk.meaning(self, caption, &proposal, |text| read(parameter, text)).await?;
+        // What has no curve is told; the others are shown.
+        let wrong =
+            values.iter().find_map(|&value| parameter.of(&self.drawn(), value).check_parameters().err());
+        if let Some(error) = wrong {
+            desk.tell(refusal::of_curve(&error.into()), Stay::UntilRead);
+        }
         self.craft.series = Some(Series { parameter, values }).filter(|series| !series.values.is_empty());
         Ok(())
     }

@@ -32,7 +32,7 @@ use super::stage::Stage;
 use super::{Craft, Dial, Editor, refusal};
 use crate::design::{DesignError, Index, NetDesign, Part, nets};
 use crate::file::{Document, Format, Method, Net, NetKind, NetSettings};
-use crate::geometry::{Border, BoundingBox, ParamSurface, Point};
+use crate::geometry::{Border, BoundingBox, ParamSurface, Point, Topology};
 use crate::machine::{Asked, Asking, Key, Tick};
 use crate::ui::look::{Look, Poles, SIGHT_KEY, Viewer};
 use crate::ui::words::{self, Phrase};
@@ -322,7 +322,12 @@ impl Craft<3> for Nets {
         if editor.craft.drawn.is_some() || editor.craft.beside.gauss {
             return Vec::new();
         }
-        editor.history.now().indices().map(Handle::Point).collect()
+        let now = editor.history.now();
+        let last = now.choices()[1].saturating_sub(1);
+        // A pole is there once, though every meridian has it.
+        let ball = now.net.kind.topology() == Topology::Sphere;
+        let again = |[k, l]: &Index| ball && *k > 0 && (*l == 0 || *l == last);
+        now.indices().filter(|index| !again(index)).map(Handle::Point).collect()
     }
 
     fn value_at(editor: &Editor<Nets, 3>, at: (i32, i32)) -> Option<Action> {

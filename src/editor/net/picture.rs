@@ -109,7 +109,10 @@ impl Editor<Nets, 3> {
         );
         items.extend(self.craft.frame.items(&net));
         let knot = |index: Index| {
-            let fill = if self.picked() == Some(index) { Color::LightRed } else { Color::Black };
+            // Every copy of a pole is the chosen one.
+            let chosen = self.picked().and_then(|picked| net.point(picked));
+            let fill =
+                if chosen.is_some() && chosen == net.point(index) { Color::LightRed } else { Color::Black };
             net.point(index).map(|at| Item::Knot { at, fill })
         };
         items.extend(net.indices().filter_map(knot));
