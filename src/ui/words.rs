@@ -176,8 +176,10 @@ pub(crate) const HELP_CLICK: Words =
     Words("a mezőn: új pont; a görbén: pont oda", "on the field: new point; on the curve: one there");
 pub(crate) const HELP_CLICK_3D: Words =
     Words("a görbén: pont oda; máshol húzva: forgat", "on the curve: a point there; elsewhere, drag: turn");
-pub(crate) const HELP_CURVE: Words =
-    Words("görbe: nyitott vagy zárt, eljárás", "draw a curve: open or closed, method");
+pub(crate) const HELP_CURVE: Words = Words(
+    "görbe: nyitott, zárt, eljárás; S: ív sima, sarok",
+    "open or closed, method; S: arcs smooth, corner",
+);
 pub(crate) const HELP_RESULT: Words =
     Words("eredmény: a görbe keret nélkül", "result: the curve alone, without the frame");
 pub(crate) const HELP_QUIT: Words =

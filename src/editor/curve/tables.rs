@@ -73,7 +73,7 @@ const DELETE_HERE: Row =
     Command::key(Key::Delete, (Words("Del", "Del"), words::HELP_DELETE_HERE), Action::DeleteHere);
 const CLICK: Row = Command::told((Words("kattintás", "click"), words::HELP_CLICK));
 const CLICK_3D: Row = Command::told((Words("kattintás", "click"), words::HELP_CLICK_3D));
-const METHOD: Row = choose((Words("G 1-4", "G 1-4"), words::HELP_CURVE));
+const METHOD: Row = choose((Words("G 1-5 S", "G 1-5 S"), words::HELP_CURVE));
 const FORM: Row = choose((Words("G", "G"), words::HELP_CURVE_FORM));
 const RESULT: Row = Command::button(
     Button::new(460, 38, words::RESULT),
@@ -94,7 +94,7 @@ const TENSION: Row = Command::button(
 const LEAVE: Row = Command::button(Button::new(550, 38, words::QUIT), QUIT, Action::Quit);
 const FOLLOW: Row = Command::key(Key::F(3), (Words("F3", "F3"), words::HELP_FOLLOW), Action::Follow);
 const COMPARE: Row =
-    Command::key(Key::F(4), (Words("F4 1-5", "F4 1-5"), words::HELP_COMPARE), Action::Compare);
+    Command::key(Key::F(4), (Words("F4 1-6", "F4 1-6"), words::HELP_COMPARE), Action::Compare);
 const SERIES: Row = Command::key(Key::F(4), (Words("F4", "F4"), words::HELP_SERIES), Action::Series);
 const WORKSHOP: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_WORKSHOP), Action::Workshop);
 const JOINT: Row = Command::key(Key::F(5), (Words("F5", "F5"), words::HELP_JOINTS), Action::ShapeJoint);

@@ -84,6 +84,8 @@ impl Editor<Nets, 3> {
         }
         match tick.key() {
             Some(Key::F(5)) => {
+                // Stripes and weights are colours of the same surface.
+                self.craft.weight = None;
                 self.craft.inspection = self.craft.inspection.next(normals);
                 if let Some(name) = self.craft.inspection.name() {
                     desk.tell(name, Stay::Briefly);
