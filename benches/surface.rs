@@ -2,8 +2,14 @@
 //! drawn with their outlines by the depth of every pixel, as it is done anew when the view is turned. And a net of 8 x 8
 //! points with normals, whose surface and offset are made anew while a point is dragged.
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use grafika::geometry::{DepthBuffer, Grid, ParamSurface, PnData, PnMethod, PnNet, Point, Vertex, View};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
+use euc::buffer::Buffer2d;
+use euc::rasterizer::{BackfaceCullingDisabled, BackfaceCullingEnabled, Triangles};
+use euc::{Pipeline, Target};
+use grafika::geometry::{
+    DepthBuffer, Grid, ParamSurface, PnData, PnMethod, PnNet, Point, Vertex, View, near_first,
+};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -32,15 +38,74 @@ fn project(points: &[Point<3>], view: &View, out: &mut Vec<Vertex>) {
     }));
 }
 
+/// The corners of a cell, as indices of points.
+fn cell(number: usize) -> [usize; 4] {
+    let (k, l) = (number / SHORT, number % SHORT);
+    let at = |k: usize, l: usize| k % LONG * SHORT + l % SHORT;
+    [at(k + 1, l), at(k + 1, l + 1), at(k, l + 1), at(k, l)]
+}
+
 fn draw(vertices: &[Vertex], buffer: &mut DepthBuffer) {
     buffer.clear();
-    let at = |k: usize, l: usize| vertices[k % LONG * SHORT + l % SHORT];
-    for k in 0..LONG {
-        for l in 0..SHORT {
-            let corners = [at(k + 1, l), at(k + 1, l + 1), at(k, l + 1), at(k, l)];
-            buffer.cell(&corners, 0, Some(15));
-        }
+    let corners = |number: usize| cell(number).map(|at| vertices[at]);
+    let nearest = |number| corners(number).iter().map(|it| it.depth).fold(f32::MIN, f32::max);
+    let depths: Vec<f32> = (0..LONG * SHORT).map(nearest).collect();
+    for number in near_first(&depths) {
+        buffer.cell(&corners(number as usize), 0, Some(15));
     }
+}
+
+/// The same torus for `euc`, which fills it without outlines.
+struct Filled<'a> {
+    points: &'a [Point<3>],
+    view: View,
+}
+
+impl Pipeline for Filled<'_> {
+    type Vertex = usize;
+    type VsOut = f32;
+    type Pixel = u32;
+
+    fn vert(&self, index: &usize) -> ([f32; 4], f32) {
+        let point = self.points[*index];
+        let [x, y] = self.view.pixel(point, 1.0);
+        let depth = self.view.depth(point) as f32;
+        ([x as f32 / 320.0 - 1.0, 1.0 - y as f32 / 240.0, -depth / 1000.0, 1.0], depth)
+    }
+
+    fn frag(&self, depth: &f32) -> u32 {
+        *depth as u32
+    }
+}
+
+/// Pictures by `euc`: with its triangles turned away left out, and with all.
+fn peer(group: &mut BenchmarkGroup<'_, WallTime>, points: &[Point<3>], view: View) {
+    let triangles: Vec<usize> = (0..LONG * SHORT)
+        .flat_map(|number| {
+            let [a, b, c, d] = cell(number);
+            [a, b, c, a, c, d]
+        })
+        .collect();
+    let (mut color, mut depth) = (Buffer2d::new([640, 480], 0_u32), Buffer2d::new([640, 480], 1.0_f32));
+    let filled = Filled { points, view };
+    group.bench_function("euc, culled", |b| {
+        b.iter(|| {
+            color.clear(0);
+            depth.clear(1.0);
+            let depth = Some(&mut depth);
+            filled.draw::<Triangles<_, BackfaceCullingEnabled>, _>(black_box(&triangles), &mut color, depth);
+        });
+    });
+    let drawn = color.as_ref().iter().filter(|&&pixel| pixel != 0).count();
+    assert!(drawn > 20_000, "euc drew {drawn} pixels of the side that is seen");
+    group.bench_function("euc", |b| {
+        b.iter(|| {
+            color.clear(0);
+            depth.clear(1.0);
+            let depth = Some(&mut depth);
+            filled.draw::<Triangles<_, BackfaceCullingDisabled>, _>(black_box(&triangles), &mut color, depth);
+        });
+    });
 }
 
 fn surface(c: &mut Criterion) {
@@ -62,6 +127,7 @@ fn surface(c: &mut Criterion) {
     group.bench_function("projection alone", |b| {
         b.iter(|| project(black_box(&points), &view, black_box(&mut vertices)));
     });
+    peer(&mut group, &points, view);
     let mut copy = vec![0; 640 * 480];
     group.bench_function("copy alone", |b| {
         b.iter(|| {

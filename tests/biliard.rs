@@ -263,5 +263,5 @@ fn a_recorded_session_replays_to_the_same_picture() {
 
 #[test]
 fn random_events_do_no_harm() {
-    common::random::storm(PROGRAM, 100_000);
+    common::random::storm(PROGRAM, common::random::MANY);
 }

@@ -249,3 +249,36 @@ fn a_chosen_point_is_let_go_when_it_may_be_another_one() {
     assert_eq!(count(&model(IP, "O.IP2", "key W\nkey Space\nclick 102 440\n")), 6);
     assert_eq!(count(&model(IP, "O.IP2", "click 102 440\n")), 7);
 }
+
+#[test]
+fn what_changes_nothing_begins_no_row_of_changes() {
+    // At the edge of the field an arrow does nothing; the next one can be undone alone.
+    let edge = format!("key Tab\n{}", "press shift\nkey Left\nrelease shift\n".repeat(7));
+    let there = model(IP, "O.IP2", &edge);
+    assert_eq!(there["points"][0][0], 0.0);
+    let back =
+        model(IP, "O.IP2", &format!("{edge}key Tab\nkey Esc\nkey Tab\nkey Left\nkey Right\nkey Ctrl+Z\n"));
+    assert_eq!(back["points"], there["points"]);
+    // A knob that is dragged begins a change of its own.
+    let turned = "move 60 44\nwheel 1\ndrag 114 51 191 51\nmove 60 44\nwheel -1\nkey Ctrl+Z\n";
+    assert_eq!(model(BT, "K.IP2", turned)["tension"], 20.0);
+}
+
+#[test]
+fn handles_between_whole_numbers_are_kept_whatever_the_method_is() {
+    // A click on an arc divides it; its handles lie between whole numbers, and an .IP2 file cannot hold them.
+    let arcs = "key G\nkey N\nkey 5\nclick 205 238\nkey G\nkey N\nkey 3\nkey Ctrl+S\n";
+    let (kept, disk) = played(
+        IP,
+        "O.IP2",
+        &format!(
+            "click 560 200\n{arcs}type NEW\nkey Enter\nwait 10\nkey Enter\nwait 10\nkey Enter\nwait 10\n"
+        ),
+    );
+    let points = kept.models["end.json"]["points"].as_array().unwrap();
+    let whole =
+        points.iter().flat_map(|point| point.as_array().unwrap()).all(|x| x.as_f64().unwrap().fract() == 0.0);
+    assert!(!whole, "{points:?}");
+    assert_eq!(kept.models["end.json"]["unsaved"], false);
+    assert!(disk.names().iter().any(|name| name == "NEW.JSON"), "{:?}", disk.names());
+}

@@ -374,10 +374,9 @@ fn the_field_is_empty_until_there_is_a_configuration_and_the_view_stays() {
 /// Random events, more of them with `GRAFIKA_EVENTS`; then a legal position, whatever was done.
 #[test]
 fn random_events_do_no_harm() {
-    let events = random::events();
-    random::storm(PROGRAM, events);
+    random::storm(PROGRAM, random::SOME);
     for seed in 1..4 {
-        let kept = run(&random::script(seed, events / 10));
+        let kept = run(&random::script(seed, random::share(random::SOME) / 10));
         // The program may have ended before; then there is no model.
         if let Some(model) = kept.models.get("end.json") {
             assert_eq!(position(model).fault(), None);

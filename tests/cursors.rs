@@ -164,6 +164,6 @@ fn a_recorded_session_replays_to_the_same_picture() {
 #[test]
 fn random_events_do_no_harm() {
     for program in [XOR, OR, MASKS] {
-        random::storm(program, 100_000);
+        random::storm(program, random::MANY);
     }
 }

@@ -261,12 +261,12 @@ fn a_recorded_session_replays_to_the_same_picture() {
 
 #[test]
 fn random_events_do_no_harm_to_the_methods() {
-    random::storm(IP, 100_000);
+    random::storm(IP, random::MANY);
 }
 
 #[test]
 fn random_events_do_no_harm_to_the_beta_spline() {
-    random::storm(BT, 100_000);
+    random::storm(BT, random::MANY);
 }
 
 /// F4 compares methods and F5 opens the workshop in space too; neither is silent.

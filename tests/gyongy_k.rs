@@ -231,7 +231,7 @@ fn a_recorded_session_replays_to_the_same_picture() {
 /// Random events; `GRAFIKA_EVENTS` says how many.
 #[test]
 fn random_events_do_no_harm() {
-    random::storm(PROGRAM, random::events());
+    random::storm(PROGRAM, random::SOME);
 }
 
 /// The end of a script in the manner of today.

@@ -129,5 +129,5 @@ fn a_recorded_session_replays_to_the_same_picture() {
 
 #[test]
 fn random_events_do_no_harm() {
-    random::storm(PROGRAM, 100_000);
+    random::storm(PROGRAM, random::MANY);
 }

@@ -3,6 +3,9 @@
 //! Needs Xvfb; where it is missing the test says so and passes, unless GRAFIKA_CI=1.
 #![cfg(all(target_os = "linux", feature = "window"))]
 
+#[path = "common/needs.rs"]
+mod needs;
+
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -64,9 +67,7 @@ fn server() -> Option<(Process, String)> {
     let mut server = match started {
         Ok(server) => Process(server),
         Err(error) => {
-            let required = std::env::var("GRAFIKA_CI").is_ok_and(|value| value == "1");
-            assert!(!required, "Xvfb cannot be started: {error}");
-            eprintln!("skipped: Xvfb cannot be started ({error}); install it to test the window");
+            needs::left_out(&format!("Xvfb cannot be started ({error}); install it to test the window"));
             return None;
         }
     };

@@ -105,7 +105,7 @@ pub(crate) fn painting(cube: &CsangoCube, eye: Eye) -> Painting {
 
 /// Dots on the pixels that a painter has got wrong.
 pub(crate) fn draw_wrong(screen: &mut Screen, steps: &Steps) {
-    for [x, y] in steps.wrong() {
+    for &[x, y] in steps.wrong() {
         if (x + y) % 2 == 0 && FIELD.holds(x, y) {
             screen.bar(x, y, x, y, Color::LightRed);
         }

@@ -1,23 +1,26 @@
 //! What the player does: choosing, moving and turning pieces, looking around, asking for help.
 
+mod moving;
+mod page;
+mod score;
+
 use super::super::puzzles::{self, CONTROLS, Control, Help, MOST, Party, controls};
 use super::eye::Eye;
 use super::game::{Deal, Preset};
 use super::hand::Hand;
-use super::panel::{self, FIELD};
-use super::picture::{Goal, Scene, draw_axes, draw_goal, draw_wrong, painting};
+use super::panel;
+use super::picture::{Goal, Scene, painting};
 use super::task::{PACE, Plan, Quest, Task, Wanted};
 use super::texts;
 use crate::editor::keys;
 use crate::file::{CsangoCube, Document, Format};
 use crate::machine::{
-    Asked, Asking, Best, Button, Event, FRAMES_PER_SECOND, Key, Language, Machine, Manner, Stop, Tick,
+    Asked, Asking, Best, Button, Event, FRAMES_PER_SECOND, Key, Machine, Manner, Stop, Tick,
 };
-use crate::puzzle::cube::{self, Move, PIECES, Refused, Rules};
-use crate::screen::{Color, Screen};
+use crate::puzzle::cube::{Move, PIECES, Refused, Rules};
 use crate::ui::look::SIGHT_KEY;
 use crate::ui::painter::{PAINTER_HELP, PAINTER_KEY, Steps, StepsModel};
-use crate::ui::{Command, Commands, Desk, Hint, KeyHelp, Manual, Phrase, Picture, Stay, Stopwatch};
+use crate::ui::{Command, Commands, Desk, KeyHelp, Manual, Phrase, Stay, Stopwatch};
 use crate::work::{self, History, Next, Work};
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
@@ -186,62 +189,6 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual, document: Option<
     work::run(player, &mut Desk::new(machine, manual), document).await
 }
 
-impl Picture for Player {
-    fn draw(&self, screen: &mut Screen, language: Language) {
-        let hint = self.hinted_move();
-        let color = |piece: usize| Color::ALL.get(piece + 1).copied().unwrap_or_default();
-        let letter = hint.map(|it| it.action.letter());
-        panel::draw(screen, language, self.manner, color(self.selected), letter);
-        if let Some(steps) = &self.steps {
-            Scene::painted(&self.cube(), self.eye, Goal::Unmarked, steps).draw(screen);
-            draw_wrong(screen, steps);
-            draw_axes(screen, self.eye);
-            steps.draw(screen, (30, 60), [Color::Blue, Color::White], language);
-            return;
-        }
-        if self.manner == Manner::Today {
-            // Under the pieces, so that nothing hides them.
-            draw_goal(screen, language);
-            TODAY.draw(screen, language);
-            for (row, line) in (0..).zip(self.told(language)) {
-                screen.text(30, 150 + 12 * row, &line, Color::Blue);
-            }
-        }
-        // The original shows an empty field until there is a configuration.
-        if self.begun || self.manner == Manner::Today {
-            self.scene().draw(screen);
-            draw_axes(screen, self.eye);
-        }
-        screen.text(330, 468, &self.line(language), Color::Black);
-        if let Some(hint) = hint {
-            screen.bar(316, 467, 325, 476, color(hint.piece));
-        }
-        if let Some(party) = self.party {
-            party.draw(screen, (260, 260), self.now);
-        }
-    }
-
-    fn hint(&self) -> Option<Hint> {
-        if !self.begun || !matches!(self.task, Task::Idle) || self.steps.is_some() {
-            return None;
-        }
-        let play = self.plays.now();
-        let at = |text: Phrase| Hint::at((30, 114), 44, text);
-        let hint = if let Some(step) = self.hinted_move() {
-            at(texts::do_this(step))
-        } else if let Some(why) = self.refused {
-            at(texts::refused(why))
-        } else {
-            match (play.cube.is_finished(), play.moves) {
-                (true, _) => at(texts::AGAIN.into()),
-                (false, 0) => at(texts::BEGIN.into()).by_keys(texts::BEGIN_BY_KEYS),
-                (false, _) => at(texts::GO_ON.into()),
-            }
-        };
-        Some(hint)
-    }
-}
-
 impl Player {
     fn new(seed: u64, manner: Manner) -> Player {
         Player {
@@ -287,19 +234,6 @@ impl Player {
     fn hinted_move(&self) -> Option<Move> {
         let plan = self.plan.as_ref().filter(|plan| self.hinted && plan.at == self.plays.now().cube)?;
         plan.moves.front().copied()
-    }
-
-    /// The line under the field; empty before the first move.
-    fn line(&self, language: Language) -> String {
-        match (&self.task, self.hinted_move()) {
-            (Task::Seeking(quest), _) => texts::progress(quest.progress(), language),
-            (Task::Playing(moves, _), _) => texts::left(moves.len(), language),
-            (Task::Idle, Some(hint)) => texts::hint(hint, language),
-            (Task::Idle, None) => match (self.plays.now().moves, self.rules) {
-                (0, Rules::Book) => String::new(),
-                (moves, rules) => texts::score(moves, self.clock.time(self.now), rules, language),
-            },
-        }
     }
 
     /// Continues what the program does by itself.
@@ -349,31 +283,6 @@ impl Player {
             self.selected = step.piece;
         }
         self.plan = Some(plan);
-    }
-
-    /// Makes a move if it is allowed; returns whether it was.
-    fn make(&mut self, step: Move) -> bool {
-        (self.refused, self.party) = (None, None);
-        let cube = match self.plays.now().cube.after(step, self.rules) {
-            Ok(cube) => cube,
-            Err(why) => {
-                self.refused = Some(why);
-                return false;
-            }
-        };
-        self.plan = self.plan.take().and_then(|plan| plan.after(step, cube));
-        self.change(cube, 1);
-        true
-    }
-
-    /// Commits another position, and adds to the number of moves.
-    fn change(&mut self, cube: CsangoCube, moves: u32) {
-        self.hinted = false;
-        self.clock.note(false, self.now);
-        let play = *self.plays.now();
-        let moves = play.moves.saturating_add(moves);
-        let help = play.help.max(std::mem::take(&mut self.help));
-        self.plays.change(Play { cube, moves, help, ..play });
     }
 
     fn look_whether_finished(&mut self, desk: &mut Desk<'_>) {
@@ -461,54 +370,6 @@ impl Player {
         Ok(())
     }
 
-    fn look_at_best(&mut self, desk: &mut Desk<'_>) {
-        let name = self.results().unwrap_or_default();
-        if name != self.best.0 {
-            let best = desk.machine.bests().and_then(|bests| bests.best(&name));
-            self.best = (name, best);
-        }
-    }
-
-    /// The name that results of this game are kept under.
-    fn results(&self) -> Option<String> {
-        let deal = self.plays.now().deal?;
-        let rules = match self.rules {
-            Rules::Book => "",
-            Rules::Rigid => " rigid",
-        };
-        Some(format!("csango_k {:?}{rules}", deal.preset).to_lowercase())
-    }
-
-    /// The cube has just been finished.
-    fn celebrate(&mut self, desk: &mut Desk<'_>, play: Play) {
-        if let Some(name) = self.results().filter(|_| play.help == Help::None) {
-            let seconds = self.clock.time(self.now).as_secs();
-            let best = puzzles::keep_best(desk, &name, Best { moves: play.moves, seconds });
-            self.best = (name, best);
-        }
-        if play.help != Help::Solution {
-            self.party = Some(Party::new(self.now));
-        }
-    }
-
-    /// Lines in the field in the manner of today: the game, the best results, how a finished cube compares.
-    fn told(&self, language: Language) -> Vec<String> {
-        let play = self.plays.now();
-        let mut lines = Vec::new();
-        if !self.begun {
-            return lines;
-        }
-        lines.extend(play.deal.map(|deal| texts::game(deal.preset, deal.number, language)));
-        lines.extend(self.best.1.map(|best| puzzles::best_text(best, language)));
-        if play.cube.is_finished() && play.moves > 0 {
-            lines.push(puzzles::end_text(play.help).of(language).to_owned());
-            if let Some((_, count)) = self.known.filter(|(first, _)| *first == play.first) {
-                lines.push(puzzles::known_text(count, false, language));
-            }
-        }
-        lines
-    }
-
     /// A new scramble each time; sessions with the same seed get the same ones.
     fn scramble(&mut self) {
         self.seed = self.seed.wrapping_add(1);
@@ -536,82 +397,6 @@ impl Player {
     /// Begins the painter's steps.
     fn paint(&mut self) {
         self.steps = Some(Steps::new(painting(&self.cube(), self.eye)));
-    }
-
-    fn select(&mut self, piece: usize) {
-        self.selected = piece % PIECES;
-        self.hinted = false;
-    }
-
-    /// A digit chooses a piece; two digits choose one above 9.
-    fn digit(&mut self, digit: usize) {
-        let before = self.digit.filter(|&(_, at)| self.now.saturating_sub(at) < DIGITS);
-        let number = before.map(|(first, _)| 10 * first + digit).filter(|&number| number <= PIECES);
-        let number = number.unwrap_or(digit);
-        self.digit = Some((digit, self.now));
-        if let Some(piece) = number.checked_sub(1) {
-            self.select(piece);
-        }
-    }
-
-    fn mouse(&mut self, desk: &mut Desk<'_>, tick: &Tick) {
-        let at = (tick.mouse.x, tick.mouse.y);
-        match tick.event {
-            Some(Event::Press(Button::Left)) if FIELD.holds(at.0, at.1) => {
-                if let Some(piece) = self.scene().piece_at(at.0, at.1) {
-                    self.select(piece);
-                    self.hand = Hand::new(piece, at, self.plays.now().cube);
-                }
-            }
-            Some(Event::Move(..)) => {
-                if let Some(hand) = &mut self.hand {
-                    hand.follow(at, self.eye);
-                }
-            }
-            Some(Event::Wheel(steps)) => match &mut self.hand {
-                Some(hand) => hand.lift(steps),
-                None => self.lift(desk, steps),
-            },
-            Some(Event::Release(Button::Left)) => self.let_go(desk),
-            _ => {}
-        }
-    }
-
-    fn lift(&mut self, desk: &mut Desk<'_>, steps: i32) {
-        self.hand = Hand::new(self.selected, (0, 0), self.plays.now().cube);
-        if let Some(hand) = &mut self.hand {
-            hand.lift(steps);
-        }
-        self.let_go(desk);
-    }
-
-    /// Leaves a held piece where it is.
-    fn let_go(&mut self, desk: &mut Desk<'_>) {
-        let Some(hand) = self.hand.take().filter(|hand| hand.cube != self.plays.now().cube) else { return };
-        self.plan = None;
-        (self.refused, self.party) = (None, None);
-        self.change(hand.cube, hand.moves());
-        self.look_whether_finished(desk);
-    }
-
-    /// What a key or its button does; what leads out of the configuration is told.
-    async fn key(&mut self, desk: &mut Desk<'_>, key: Key) -> Asked<Next> {
-        if let Some(action) = key.letter().and_then(cube::Action::from_letter) {
-            if self.make(Move { piece: self.selected, action }) {
-                self.look_whether_finished(desk);
-            }
-            return Ok(Next::Work);
-        }
-        match COMMANDS.of_key(key) {
-            Some(Action::Do(what)) => what(self, desk),
-            Some(Action::Quit) => return work::quit(self, desk).await,
-            None => {
-                if let Some(digit) = key.letter().and_then(|typed| typed.to_digit(10)) {
-                    self.digit(digit as usize);
-                }
-            }
-        }
-        Ok(Next::Work)
     }
 
     fn switch_rules(&mut self, desk: &mut Desk<'_>) {

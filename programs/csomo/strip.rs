@@ -10,18 +10,8 @@ use crate::file::KnotPoints;
 use crate::geometry::Basis;
 use crate::geometry::knots::KnotVector;
 use crate::screen::{Color, Screen, Stroke};
-use crate::ui::Area;
+use crate::ui::{Area, tint};
 
-/// The colours of the functions, in turn.
-const INKS: [Color; 7] = [
-    Color::LightRed,
-    Color::LightGreen,
-    Color::Yellow,
-    Color::LightBlue,
-    Color::LightMagenta,
-    Color::LightCyan,
-    Color::Brown,
-];
 /// Pixels between places of the functions.
 const STEP: i32 = 2;
 
@@ -122,7 +112,7 @@ fn draw_functions(screen: &mut Screen, vector: &KnotVector, scale: &Scale) {
     for (function, line) in lines.iter().enumerate() {
         let Some(own) = function.checked_sub(before).filter(|own| *own < vector.controls()) else { continue };
         if line.len() > 1 {
-            screen.polyline(line, Stroke::thin(INKS[own % count % INKS.len()]));
+            screen.polyline(line, Stroke::thin(tint::LINES[own % count % tint::LINES.len()]));
         }
     }
 }

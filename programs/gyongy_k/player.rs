@@ -1,21 +1,22 @@
 //! The player's moves and questions, and what runs by itself.
 
+mod page;
+mod score;
+
 use super::super::puzzles::{self, CONTROLS, Control, Help, MOST, Party, controls};
 use super::game::{Game, Problem};
 use super::hand::Hand;
-use super::picture::{Board, GoingOn, Slide, Style, View, move_at};
+use super::picture::{Style, move_at};
 use super::show::{Aim, Demonstration, Playing, Seeking, Show};
 use super::texts;
 use crate::editor::keys;
 use crate::file::{BeadWheel, Document, Format};
-use crate::machine::{
-    Asked, Asking, Best, Button as MouseButton, Event, Key, Language, Machine, Manner, Stop, Tick,
-};
+use crate::machine::{Asked, Asking, Best, Button as MouseButton, Event, Key, Machine, Manner, Stop, Tick};
 use crate::puzzle::wheel::{Difficulty, Move, Tables, Wheel};
-use crate::screen::{Palette, Screen};
+use crate::screen::Palette;
 use crate::ui::{
-    Answer, Area, Button, Caption, Choices, Command, Commands, Desk, Field, Form, Hint, KeyHelp, MIDDLE,
-    Manual, Number, Phrase, Picture, Question, Stay, Stopwatch,
+    Answer, Area, Button, Caption, Choices, Command, Commands, Desk, Field, Form, KeyHelp, MIDDLE, Manual,
+    Number, Phrase, Question, Stay, Stopwatch,
 };
 use crate::work::{self, History, Next, Work};
 use serde::Serialize;
@@ -143,49 +144,6 @@ pub(crate) async fn run(machine: &mut Machine, manual: Manual, document: Option<
     };
     let mut desk = Desk::new(machine, manual);
     work::run(player, &mut desk, document).await
-}
-
-impl Picture for Player {
-    fn draw(&self, screen: &mut Screen, language: Language) {
-        let going_on = match &self.show {
-            Show::Nothing => GoingOn::Nothing,
-            Show::Seeking(seeking) => GoingOn::Search(seeking.solver.progress()),
-            Show::Playing(it) => GoingOn::Solution { count: it.count, proven: it.proven },
-            Show::Demonstration(_) => GoingOn::Demonstration,
-        };
-        let board = self.begun.then(|| Board {
-            wheel: self.shown(),
-            game: self.games.now(),
-            time: self.clock.time(self.now),
-            hint: self.hint.filter(|_| matches!(self.show, Show::Nothing)),
-            going_on,
-            slide: self.hand.as_ref().map_or(Slide::None, Hand::slide),
-            told: self.told(language),
-            party: self.party.map(|party| (party, self.now)),
-        });
-        View { buttons: self.buttons, board, style: self.style }.draw(screen, language);
-    }
-
-    fn hint(&self) -> Option<Hint> {
-        if !self.begun || !matches!(self.show, Show::Nothing) {
-            return None;
-        }
-        let game = self.games.now();
-        let text = if let Some(hint) = self.hint {
-            texts::do_this(hint)
-        } else if let Some(refused) = self.refused {
-            texts::is_in(refused, refused.inverse())
-        } else {
-            match (game.wheel.is_solved(), game.moves) {
-                (true, 0) => texts::FREE,
-                (true, _) => texts::AGAIN,
-                (false, 0) => texts::BEGIN,
-                (false, _) => texts::GO_ON,
-            }
-            .into()
-        };
-        Some(Hint::at((404, 134), 27, text))
-    }
 }
 
 impl Work for Player {
@@ -526,58 +484,6 @@ impl Player {
             self.clock.note(wheel.is_solved(), desk.clock());
         }
         Ok(())
-    }
-
-    /// The name that results of this game are kept under.
-    fn results(&self) -> Option<String> {
-        let problem = self.games.now().problem?;
-        Some(format!("gyongy_k {:?}", problem.difficulty).to_lowercase())
-    }
-
-    fn look_at_best(&mut self, desk: &mut Desk<'_>) {
-        let name = self.results().unwrap_or_default();
-        if name != self.best.0 {
-            let best = desk.machine.bests().and_then(|bests| bests.best(&name));
-            self.best = (name, best);
-        }
-    }
-
-    /// A wheel has just been solved.
-    fn celebrate(&mut self, desk: &mut Desk<'_>) {
-        if self.style.manner == Manner::Original {
-            return;
-        }
-        let game = self.games.now();
-        let (help, moves) = (game.help, game.moves);
-        if let Some(name) = self.results().filter(|_| help == Help::None) {
-            let seconds = self.clock.time(self.now).as_secs();
-            let best = puzzles::keep_best(desk, &name, Best { moves, seconds });
-            self.best = (name, best);
-        }
-        if help != Help::Solution {
-            self.party = Some(Party::new(self.now));
-        }
-    }
-
-    /// More lines beside the board in the manner of today: the best results, and how a solved wheel compares.
-    fn told(&self, language: Language) -> Vec<String> {
-        let game = self.games.now();
-        let mut lines = Vec::new();
-        if self.style.manner == Manner::Original || !matches!(self.show, Show::Nothing) {
-            return lines;
-        }
-        lines.extend(self.best.1.map(|best| puzzles::best_text(best, language)));
-        if game.wheel.is_solved() && game.moves > 0 {
-            lines.push(puzzles::end_text(game.help).of(language).to_owned());
-            let found = self.found.filter(|(start, ..)| *start == game.start);
-            let found = found.map(|(_, count, proven)| (count, proven));
-            let known = found.into_iter().chain(game.problem.and_then(Problem::known));
-            // The shortest one; of two alike the one with a proof.
-            if let Some((count, proven)) = known.min_by_key(|&(count, proven)| (count, !proven)) {
-                lines.push(puzzles::known_text(count, proven, language));
-            }
-        }
-        lines
     }
 
     /// Takes up another game that undo leads back from.

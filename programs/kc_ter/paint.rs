@@ -9,7 +9,8 @@ use crate::geometry::{
     BoundingBox, DepthBuffer, Grid, ParamCurve, ParamSurface, Plane, Point, Vertex, cross, dot, norm, section,
 };
 use crate::screen::{Color, Screen};
-use crate::ui::{Area, tint};
+use crate::ui::Area;
+use crate::ui::tint::{self, Zebra};
 
 /// The most needles on an item.
 const NEEDLES: usize = 50;
@@ -318,12 +319,12 @@ impl Canvas<'_> {
                 lines(self, style.isolines, BEFORE);
             }
             Fill::Zebra | Fill::Gaussian | Fill::Mean | Fill::Height => {
-                let toward = self.eye.view.toward();
+                let (stripes, toward) = (Zebra::new(), self.eye.view.toward());
                 let size = bounds.map_or(1.0, |bounds| bounds.extent());
                 let [low, high] = bounds.map_or([0.0, 1.0], |it| [it.min[2], it.max[2]]);
                 self.cells(grid, |corners, uv| {
                     let color = match fill {
-                        Fill::Zebra => tint::zebra(weave.normal([0, 0], uv), toward),
+                        Fill::Zebra => stripes.color(weave.normal([0, 0], uv), toward),
                         Fill::Gaussian => {
                             let curvature = weave.gaussian_curvature([0, 0], uv);
                             tint::curvature(curvature.map(|it| it * size * size))

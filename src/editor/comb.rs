@@ -1,7 +1,7 @@
 //! The comb of curvature: how a curve bends, tooth by tooth.
 
 use super::seen::Item;
-use crate::geometry::{ParamCurve, Point, dot};
+use crate::geometry::{ParamCurve, Point, curvature_vector, dot};
 use crate::screen::Color;
 
 /// Pixels between two teeth of the comb, teeth at most, and the longest of them in pixels.
@@ -39,9 +39,7 @@ fn tooth<const D: usize>(
     scale: f64,
 ) -> Option<[Point<D>; 2]> {
     let [at, slope, bend] = curve.at(span, u)?;
-    let square = dot(slope, slope);
-    let along = dot(bend, slope) / square;
-    let curvature: Point<D> = std::array::from_fn(|d| (bend[d] - along * slope[d]) / square);
+    let curvature = curvature_vector(slope, bend);
     let size = dot(curvature, curvature).sqrt();
     let long = (scale * size).min(LONGEST);
     if !size.is_finite() || !long.is_finite() {

@@ -33,6 +33,17 @@ pub(crate) fn numbered_disc(screen: &mut Screen, (x, y): (i32, i32), number: usi
 }
 
 /// Whether a pixel lies on the disc around another.
-pub(crate) fn on_disc((center_x, center_y): (i32, i32), (x, y): (i32, i32)) -> bool {
-    (x - center_x).pow(2) + (y - center_y).pow(2) <= RADIUS.pow(2)
+pub(crate) fn on_disc(center: (i32, i32), at: (i32, i32)) -> bool {
+    within(RADIUS, center, at)
+}
+
+/// Whether two pixels are no farther apart than so many.
+pub(crate) fn within(reach: i32, one: (i32, i32), other: (i32, i32)) -> bool {
+    apart(one, other) <= i64::from(reach).pow(2)
+}
+
+/// The square of the distance of two pixels.
+pub(crate) fn apart((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> i64 {
+    let square = |a: i32, b: i32| (i64::from(a) - i64::from(b)).saturating_pow(2);
+    square(x1, x2).saturating_add(square(y1, y2))
 }

@@ -2,6 +2,7 @@
 //! a letter keeps it to an axis of space; potentiometers turn parameters (1.5.2).
 
 use super::lens::{Held, Lens};
+use super::values::Values;
 use super::{Craft, Editor};
 use crate::geometry::Point;
 use crate::machine::{Button, Event, Key, Manner, Modifier, Tick};
@@ -19,21 +20,10 @@ pub(crate) struct Dial {
 
 impl Dial {
     /// A potentiometer for a value of so many letters at a place, with its track so many pixels below.
-    pub(crate) fn new(
-        (x, y): (i32, i32),
-        letters: i32,
-        below: i32,
-        value: f64,
-        [low, high]: [f64; 2],
-    ) -> Dial {
+    pub(crate) fn new((x, y): (i32, i32), letters: i32, below: i32, value: f64, of: Values) -> Dial {
         let track = (x + 2, x + 8 * letters - 4, y + below);
-        let slider = Slider { range: [low, high], allowed: [low, high], step: 0.1, track };
-        Dial { slider, text: Area::of_line((x, y), letters), value }
-    }
-
-    /// The same with other values that are allowed, and another step.
-    pub(crate) fn by(self, step: f64, allowed: [f64; 2]) -> Dial {
-        Dial { slider: Slider { step, allowed, ..self.slider }, ..self }
+        let Values { allowed, track: range, step } = of;
+        Dial { slider: Slider { range, allowed, step, track }, text: Area::of_line((x, y), letters), value }
     }
 
     fn holds(&self, (x, y): (i32, i32)) -> bool {
@@ -110,7 +100,7 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
                 let on = |dial: &Dial| dial.slider.area().holds(at.0, at.1) && !dial.text.holds(at.0, at.1);
                 let Some(dial) = dials.iter().position(on) else { return false };
                 let to = dials.get(dial).map_or(0.0, |dial| dial.slider.value_at(at.0));
-                (self.turning.held, self.turning.last) = (Some((dial, to)), dial);
+                self.turning = Turning { held: Some((dial, to)), last: dial, row: None };
                 return true;
             }
             (Some(Event::Wheel(steps)), _) => (under(), f64::from(steps)),
@@ -137,10 +127,11 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
     fn in_row(&mut self, row: Row, value: C::Value) {
         if self.turning.row == Some(row) {
             self.history.amend(value);
-        } else {
-            self.history.change(value);
+            return;
         }
-        self.turning.row = Some(row);
+        // What changes nothing begins no row: the next step must be one that can be undone.
+        self.turning.row = (value != *self.history.now()).then_some(row);
+        self.history.change(value);
     }
 
     /// Tab and the arrows. Any other event but a movement of the mouse ends the row of changes.
@@ -178,8 +169,10 @@ impl<C: Craft<D>, const D: usize> Editor<C, D> {
         };
         let at = self.lens.nudged(from, by, self.axis);
         let moved = C::moved(self.history.now(), handle, at);
-        self.in_row(Row::Nudges, moved);
-        C::changed(self);
+        if moved != *self.history.now() {
+            self.in_row(Row::Nudges, moved);
+            C::changed(self);
+        }
         true
     }
 

@@ -235,8 +235,8 @@ pub(crate) fn into((x, y): (i32, i32), area: Area) -> (i32, i32) {
 }
 
 /// Whether a movement from one pixel to another is a drag, not a mere click.
-pub(crate) fn is_drag((x1, y1): (i32, i32), (x2, y2): (i32, i32)) -> bool {
-    (x2 - x1).pow(2) + (y2 - y1).pow(2) > 2
+pub(crate) fn is_drag(from: (i32, i32), to: (i32, i32)) -> bool {
+    field::apart(from, to) > 2
 }
 
 impl Look {

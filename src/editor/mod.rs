@@ -21,6 +21,7 @@ pub(crate) mod place;
 pub(crate) mod refusal;
 pub(crate) mod seen;
 pub(crate) mod stage;
+pub(crate) mod values;
 
 use crate::file::{Document, Format, Method};
 use crate::geometry::{ParamSurface, Point};

@@ -1,5 +1,6 @@
 //! Places of control points: asked for by their coordinates, and found on a curve by the mouse.
 
+use super::field::{apart, within};
 use super::lens::Lens;
 use crate::geometry::{Closure, Point};
 use crate::machine::Asked;
@@ -63,9 +64,8 @@ pub(crate) fn on_line<const D: usize>(
     lens: &impl Lens<D>,
     at: (i32, i32),
 ) -> Option<(Point<D>, usize)> {
-    let distance = |(x, y): (i32, i32)| (x - at.0).pow(2) + (y - at.1).pow(2);
-    let nearest = *line.iter().min_by_key(|&&place| distance(lens.pixel(place)))?;
-    if distance(lens.pixel(nearest)) > REACH.pow(2) {
+    let nearest = *line.iter().min_by_key(|&&place| apart(lens.pixel(place), at))?;
+    if !within(REACH, lens.pixel(nearest), at) {
         return None;
     }
     let sides = points.iter().zip(points.iter().cycle().skip(1));

@@ -1,6 +1,6 @@
 //! How smoothly the spans of a curve meet: the orders of continuity of chapter 2.1.
 
-use super::point::norm;
+use super::point::{curvature_vector, norm};
 use super::{ParamCurve, Point};
 use std::fmt;
 
@@ -59,10 +59,8 @@ pub fn contact<const D: usize>(curve: &dyn ParamCurve<D>, joint: usize) -> Optio
     let shape = |[_, slope, bend]: [Point<D>; 3]| {
         let speed = norm(slope);
         let tangent: Point<D> = slope.map(|x| x / speed);
-        let along: f64 = (0..D).map(|d| bend[d] * tangent[d]).sum();
-        let curvature: Point<D> = std::array::from_fn(|d| (bend[d] - along * tangent[d]) / (speed * speed));
         // Without a speed there is no direction.
-        (speed > NONE * size).then_some((tangent, curvature))
+        (speed > NONE * size).then(|| (tangent, curvature_vector(slope, bend)))
     };
     let geometric = match (shape(from), shape(to)) {
         (Some((tangent, curvature)), Some((other, bend))) => {

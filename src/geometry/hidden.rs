@@ -322,6 +322,38 @@ impl DepthBuffer {
     }
 }
 
+/// Buckets that depths are sorted into.
+const BUCKETS: usize = 4096;
+
+/// The order in which cells of these greatest depths are drawn quickest: the nearest first, up to a 4096th of the way
+/// between nearest and farthest, so that most of what is hidden is left out at once. The picture is the same in any order.
+///
+/// ```
+/// assert_eq!(grafika::geometry::near_first(&[1.0, 3.0, f32::NAN, 2.0]), [1, 3, 0, 2]);
+/// ```
+#[must_use]
+pub fn near_first(depths: &[f32]) -> Vec<u32> {
+    let limits = |(low, high): (f32, f32), depth: &f32| (low.min(*depth), high.max(*depth));
+    let (low, high) = depths.iter().fold((f32::INFINITY, f32::NEG_INFINITY), limits);
+    let scale = (BUCKETS - 1) as f32 / (high - low).max(f32::MIN_POSITIVE);
+    // The cast makes 0 of NaN, and limits are those of the buckets: such cells are the last.
+    let bucket = |depth: f32| BUCKETS - 1 - (((depth - low) * scale) as usize).min(BUCKETS - 1);
+    let mut starts = vec![0_u32; BUCKETS + 1];
+    for &depth in depths {
+        starts[bucket(depth) + 1] += 1;
+    }
+    for k in 1..starts.len() {
+        starts[k] += starts[k - 1];
+    }
+    let mut order = vec![0; depths.len()];
+    for (number, &depth) in (0..).zip(depths) {
+        let at = &mut starts[bucket(depth)];
+        order[*at as usize] = number;
+        *at += 1;
+    }
+    order
+}
+
 /// A side of a triangle as a function of the pixel: the area that it spans with it (twice), positive
 /// to the inner side.
 struct Side {

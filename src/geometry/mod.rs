@@ -61,7 +61,6 @@ pub mod fit;
 mod fourier;
 mod hermite;
 mod hidden;
-mod hull;
 mod hull3;
 mod jet;
 pub mod knots;
@@ -101,8 +100,7 @@ pub use dice::Dice;
 pub use error::GeometryError;
 pub use fourier::{ClosedPath, Deviation, Fourier, MAX_HARMONICS, Wave};
 pub use hermite::{automatic_tangents, hermite_arcs};
-pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex};
-pub use hull::plane_hull;
+pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex, near_first};
 pub use hull3::{Hull, convex_hull};
 pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
@@ -111,7 +109,7 @@ pub use pn::{
     Jacobian, Overview, PnData, PnMethod, PnNet, PnPlace, PnSurface, RadiusRange, RationalPatch,
     RationalPatches, RationalSurface, SafeDistances, Shell,
 };
-pub use point::{Point, cross, dot, norm};
+pub use point::{Point, cross, curvature_vector, dot, norm};
 pub use projection::Projection;
 pub use slopes::{slopes, smoothed_tangents};
 pub use smooth::{

@@ -43,6 +43,15 @@ pub fn norm<const D: usize>(v: Point<D>) -> f64 {
     largest * v.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
 }
 
+/// The curvature vector of a curve by its first and second derivative: towards the centre of the circle of curvature, as
+/// long as the curvature. Not a number where the curve stands still.
+#[must_use]
+pub fn curvature_vector<const D: usize>(slope: Point<D>, bend: Point<D>) -> Point<D> {
+    let square = dot(slope, slope);
+    let along = dot(bend, slope) / square;
+    std::array::from_fn(|d| (bend[d] - along * slope[d]) / square)
+}
+
 /// Whether every coordinate is a number within [`COORDINATE_LIMIT`] (NaN is not).
 pub(super) fn within_limit<const D: usize>(p: &Point<D>) -> bool {
     p.iter().all(|x| x.abs() <= COORDINATE_LIMIT)

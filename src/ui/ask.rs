@@ -210,6 +210,7 @@ impl Number {
         match self {
             Number::Whole(range) if *range.end() == i32::MAX => String::new(),
             Number::Whole(range) => format!("{} ... {}", range.start(), range.end()),
+            Number::Real(range) if *range.end() == f64::MAX => String::new(),
             Number::Real(range) => format!("{} ... {}", range.start(), range.end()),
         }
     }

@@ -7,7 +7,7 @@ use crate::screen::{Color, Screen};
 /// What may be typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accepts {
-    /// Digits, minus sign, point and the E of an exponent.
+    /// Digits, minus sign, point and the E of an exponent; a comma is taken as the point.
     Number,
     /// Letters, digits, minus sign and point, converted to upper case.
     Name,
@@ -70,7 +70,12 @@ impl Entry {
                 self.proposed = false;
             }
             Key::Char(typed) => {
-                let letter = if self.accepts == Accepts::Text { Some(typed) } else { key.letter() };
+                let letter = match self.accepts {
+                    Accepts::Text => Some(typed),
+                    // The Hungarian decimal separator: dropped, it would make 15 of 1,5.
+                    Accepts::Number if typed == ',' => Some('.'),
+                    Accepts::Number | Accepts::Name => key.letter(),
+                };
                 if let Some(letter) = letter.filter(|&letter| self.takes(letter)) {
                     self.push(letter);
                 }
@@ -129,6 +134,7 @@ mod tests {
     #[test]
     fn only_what_makes_sense_is_taken() {
         assert_eq!(typed(Accepts::Number, 4, "a1-.x2345678901234567890"), "1-.2");
+        assert_eq!(typed(Accepts::Number, 8, "1,5"), "1.5");
         assert_eq!(typed(Accepts::Name, 8, "six/a é\\b-1.ip2ab"), "SIXAB-1.");
     }
 

@@ -152,11 +152,11 @@ impl Look {
     pub(crate) fn framing(self, bounds: &BoundingBox<3>) -> Look {
         let middle: Point<3> = std::array::from_fn(|d| 0.5 * (bounds.min[d] + bounds.max[d]));
         let extent = bounds.extent();
-        if (SMALL..=LARGE).contains(&extent) && middle.iter().all(|x| x.abs() < 0.25 * LARGE) {
-            return self;
-        }
+        let fits = (SMALL..=LARGE).contains(&extent) && middle.iter().all(|x| x.abs() < 0.25 * LARGE);
         let unit = FRAMED / extent;
-        if unit.is_finite() && unit > 0.0 { Look { unit, middle, ..self } } else { self }
+        let look =
+            if fits || !unit.is_finite() || unit <= 0.0 { self } else { Look { unit, middle, ..self } };
+        look.seen_from(look.sight, Some(*bounds))
     }
 
     /// The coordinate of the middle of the picture along an axis.

@@ -17,6 +17,8 @@ pub(crate) const PAINTER_HELP: KeyHelp =
 pub(crate) struct Steps {
     painting: Painting,
     at: usize,
+    /// The pixels that are wrong now.
+    wrong: Vec<[i32; 2]>,
 }
 
 /// The step as `dump` writes it.
@@ -39,7 +41,7 @@ pub(crate) struct StepsModel {
 
 impl Steps {
     pub(crate) fn new(painting: Painting) -> Steps {
-        Steps { painting, at: 0 }
+        Steps { painting, at: 0, wrong: Vec::new() }
     }
 
     fn count(&self) -> usize {
@@ -57,11 +59,16 @@ impl Steps {
     }
 
     /// The pixels that are wrong now.
-    pub(crate) fn wrong(&self) -> Vec<[i32; 2]> {
-        match self.last() {
+    pub(crate) fn wrong(&self) -> &[[i32; 2]] {
+        &self.wrong
+    }
+
+    /// Finds the pixels that are wrong now.
+    fn look(&mut self) {
+        self.wrong = match self.last() {
             Some(step) if step.wrong > 0 => self.painting.wrong_after(self.at),
             _ => Vec::new(),
-        }
+        };
     }
 
     pub(crate) fn model(&self) -> StepsModel {
@@ -81,7 +88,7 @@ impl Steps {
 
     /// Takes up an event; returns `false` if it leaves the steps.
     pub(crate) fn heed(&mut self, tick: &Tick) -> bool {
-        let last = self.count() + 1;
+        let (before, last) = (self.at, self.count() + 1);
         // Many faces are passed in twenty leaps.
         let leap = (self.count() / 20).max(1);
         let forth = |at: usize, by: usize| at.saturating_add(by).min(last);
@@ -102,6 +109,9 @@ impl Steps {
                 self.at = if by < 0 { forth(self.at, by_leaps) } else { self.at.saturating_sub(by_leaps) };
             }
             _ => {}
+        }
+        if self.at != before {
+            self.look();
         }
         true
     }

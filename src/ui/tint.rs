@@ -1,24 +1,51 @@
-//! Colours that show how a surface bends.
+//! Colours that show how a surface bends, and that tell lines apart.
 
 use crate::geometry::{Point, dot};
 use crate::screen::Color;
 
-/// Number of stripes from the middle of the surface to its silhouette.
+/// Stripes in an angle of one radian: nineteen from the middle of the surface to its silhouette.
 const STRIPES: f64 = 12.0;
+/// Borders between stripes up to a right angle.
+const BORDERS: usize = 18;
 /// Colours of negative curvature from strong to weak, of none, and of positive curvature from weak to strong.
 const SADDLE: [Color; 4] = [Color::LightBlue, Color::Blue, Color::LightCyan, Color::Cyan];
 const DOME: [Color; 4] = [Color::Brown, Color::Yellow, Color::Red, Color::LightRed];
 /// Colours from below to above.
 const HEIGHTS: [Color; 6] =
     [Color::Blue, Color::Cyan, Color::Green, Color::Yellow, Color::LightRed, Color::White];
+/// Colours of lines that are told apart, in turn, clear on black.
+pub(crate) const LINES: [Color; 7] = [
+    Color::LightRed,
+    Color::LightGreen,
+    Color::Yellow,
+    Color::LightBlue,
+    Color::LightMagenta,
+    Color::LightCyan,
+    Color::Brown,
+];
 /// The colour of what does not bend, and of what is not known.
 pub(crate) const FLAT: Color = Color::DarkGray;
 
 /// Isophotes: bands of equal angle between the normal and the direction to the viewer.
-pub(crate) fn zebra(normal: Option<Point<3>>, toward: Point<3>) -> Color {
-    let Some(normal) = normal else { return FLAT };
-    let angle = dot(normal, toward).abs().min(1.0).acos();
-    if (angle * STRIPES) as i64 % 2 == 0 { Color::White } else { Color::Blue }
+pub(crate) struct Zebra {
+    /// The cosines at which the stripes after the first begin, from the steepest.
+    borders: [f64; BORDERS],
+}
+
+impl Zebra {
+    /// The stripes, ready to colour many places.
+    pub(crate) fn new() -> Zebra {
+        Zebra { borders: std::array::from_fn(|k| ((k + 1) as f64 / STRIPES).cos()) }
+    }
+
+    /// The colour where the surface has this unit normal.
+    pub(crate) fn color(&self, normal: Option<Point<3>>, toward: Point<3>) -> Color {
+        let Some(normal) = normal else { return FLAT };
+        let cosine = dot(normal, toward).abs();
+        // Cosines fall while angles grow, and comparing them is quicker.
+        let stripe = self.borders.partition_point(|border| cosine <= *border);
+        if stripe % 2 == 0 { Color::White } else { Color::Blue }
+    }
 }
 
 /// Blue where the surface is a saddle, red where it is a dome, grey where it is flat. `relative` is the Gaussian curvature
@@ -66,4 +93,21 @@ pub(crate) fn weight(weight: Option<f64>) -> Color {
         Color::White,
     ];
     bands[[0.005, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8].iter().filter(|&&limit| weight > limit).count()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stripes_are_as_wide_as_angles_say() {
+        let zebra = Zebra::new();
+        for k in 0..=1570 {
+            let angle = f64::from(k) * 1e-3 + 3e-4;
+            let normal = [angle.sin(), 0.0, -angle.cos()];
+            let white = (angle * STRIPES) as i64 % 2 == 0;
+            assert_eq!(zebra.color(Some(normal), [0.0, 0.0, 1.0]) == Color::White, white, "{angle}");
+        }
+        assert_eq!(zebra.color(None, [0.0, 0.0, 1.0]), FLAT);
+    }
 }

@@ -58,7 +58,7 @@ fn tokens(source: &str) -> Vec<String> {
                 tokens.push(other.to_string());
                 1
             }
-            [] => unreachable!("there is something left"),
+            [] => break,
         };
     }
     tokens

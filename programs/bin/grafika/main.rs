@@ -26,10 +26,12 @@ mod smooth;
 mod solve;
 mod source;
 mod space;
+mod steps;
 mod surface;
 
 use clap::error::ErrorKind;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use grafika::file::Format;
 use grafika::launch::{
     Failure, Install, Options, RunOptions, Uninstall, complete, exit, meant, ordered, speaking, spoken,
     write_output,
@@ -295,21 +297,32 @@ fn program_help() -> Option<Failure> {
 
 /// Starts the program that the first word names, in whatever case, with the rest as its command line.
 fn run_program(words: Vec<OsString>) -> Result<(), Failure> {
-    let name = words.first().map(|word| word.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match programs::by_name(&name) {
+    let name = words.first().map(|word| word.to_string_lossy().into_owned()).unwrap_or_default();
+    match programs::by_name(&name.to_lowercase()) {
         Some(program) => program.start_from(words),
         None => Err(unknown(&name)),
     }
 }
 
+/// Whether a word is the name of a file that programs open.
+fn is_file(name: &str) -> bool {
+    let extension = Path::new(name).extension().and_then(|extension| extension.to_str());
+    extension.and_then(Format::from_extension).is_some()
+}
+
 /// That there is no such name, and which there are.
 fn unknown(name: &str) -> Failure {
+    if is_file(name) {
+        let message =
+            format!("there is no command or program {name:?}; a file is opened by: grafika open {name}");
+        return Cli::command().error(ErrorKind::InvalidSubcommand, message).into();
+    }
     let programs: Vec<&str> = ALL.iter().map(|program| program.manual.name).collect();
     let known = Cli::command();
     let commands: Vec<&str> = known.get_subcommands().map(clap::Command::get_name).collect();
     let message = format!(
         "there is no command or program {name:?}{}; commands are {}, programs are {}",
-        meant(name, commands.iter().chain(&programs).copied()),
+        meant(&name.to_lowercase(), commands.iter().chain(&programs).copied()),
         commands.join(", "),
         programs.join(", ")
     );

@@ -10,6 +10,7 @@ use crate::offset::plot;
 use crate::ph::PhShape;
 use crate::picture::{Format, NAMES, picture};
 use crate::sample::SURFACE_STEPS;
+use crate::steps::{self, For};
 use clap::Args;
 use grafika::design::offset::curve as curve_of;
 use grafika::design::{Controls, Design, NetDesign, Shape, knots, shaped, skin};
@@ -76,7 +77,7 @@ pub(crate) struct Render {
     /// Show axes with ticks and numbers
     #[arg(long)]
     axes: bool,
-    /// Steps a cell of a surface's net [default: 10]
+    /// Steps a cell of a surface's net; very large ones have fewer [default: 10]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     per_span: Option<u32>,
     /// How far a fitted surface in .step may be from the exact one, as a part of its size [default: 1e-6]; how far the
@@ -116,8 +117,11 @@ impl Render {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
             if !format.is_model() {
                 self.check_wires()?;
-                let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
                 let offsets = self.offsets(net)?;
+                let all: Vec<&dyn ParamSurface> = std::iter::once(&**surface)
+                    .chain(offsets.iter().map(|offset| offset as &dyn ParamSurface))
+                    .collect();
+                let steps = steps::of_surfaces(self.per_span, &all, For::Picture);
                 return self.picture(&self.wireframe(net, &**surface, &offsets, steps)?, format);
             }
             self.check_model(format)?;
@@ -131,7 +135,7 @@ impl Render {
                 return self.model(&[&**surface], format);
             }
             self.check_wires()?;
-            let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+            let steps = steps::of_surfaces(self.per_span, &[&**surface], For::Picture);
             let (mut figure, view, bounds) = self.wires(&[&**surface], SPACE_VIEW, steps)?;
             match &design {
                 Design::KnotNet(net) => self.plot_net(&mut figure, &net.points, &view),
@@ -402,7 +406,10 @@ impl Render {
         let name = self.title.clone().or_else(|| Some(self.output.file_stem()?.to_string_lossy().into()));
         let model = format.model().unwrap_or(ModelFormat::Ply);
         let options = ModelOptions {
-            steps: self.per_span.unwrap_or(SURFACE_STEPS) as usize,
+            steps: match model {
+                ModelFormat::Step => self.per_span.unwrap_or(SURFACE_STEPS) as usize,
+                _ => steps::of_surfaces(self.per_span, surfaces, For::Points),
+            },
             tolerance: self.tolerance.unwrap_or(MODEL_TOLERANCE),
             name: &name.unwrap_or_default(),
         };

@@ -6,6 +6,7 @@ use crate::normals;
 use crate::numbers::Numbers;
 use crate::ph::PhShape;
 use crate::source::is_stream;
+use crate::steps::{self, For};
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
@@ -120,8 +121,9 @@ impl Sample {
     fn exact(&self, design: &Design, name: &str) -> Result<String, Failure> {
         if let (Design::Net(net), None) = (design, self.uniform) {
             let alive = progress::alive("sampling");
-            let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
-            let rows = normals::quantities(&normals::surface(net, name)?, steps)?;
+            let surface = normals::surface(net, name)?;
+            let steps = steps::of_surfaces(self.per_span, &[&surface], For::Points);
+            let rows = normals::quantities(&surface, steps)?;
             drop(alive);
             let header = normals::QUANTITIES;
             return self.table(
@@ -235,7 +237,9 @@ impl Sample {
         if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
             return Err(Failure::usage(format!("{option} is for curves; this file holds a surface")));
         }
-        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        let surfaces: Vec<(usize, &dyn ParamSurface)> = surfaces.collect();
+        let all: Vec<&dyn ParamSurface> = surfaces.iter().map(|(_, surface)| *surface).collect();
+        let steps = steps::of_surfaces(self.per_span, &all, For::Points);
         let mut rows: Vec<SurfaceSample> = Vec::new();
         for (first, surface) in surfaces {
             let samples = surface.sample(steps).map_err(Failure::work)?;

@@ -117,7 +117,7 @@ impl CurveArgs {
             }
         }
         let member = |(label, common): (String, Common)| {
-            let design = self.design_of(document.clone(), &label, common)?;
+            let design = self.design_of(document.clone(), &name, common)?;
             Ok(Member { label, design })
         };
         Ok((choices.into_iter().map(member).collect::<Result<_, Failure>>()?, name))

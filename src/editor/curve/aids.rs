@@ -4,14 +4,15 @@
 use super::{Ambient, Curves, Handle, steps};
 use crate::design::{Place, Sketch};
 use crate::editor::comb;
+use crate::editor::field::apart;
 use crate::editor::lens::Lens;
 use crate::editor::picture::Page;
 use crate::editor::seen::Item;
 use crate::editor::{Craft, Editor};
-use crate::geometry::{Closure, ParamCurve, Point, contact, norm, plane_hull};
+use crate::geometry::{Closure, ParamCurve, Point, contact, convex_hull, curvature_vector, norm};
 use crate::screen::{Color, Stroke};
-use crate::ui::words;
 use crate::ui::{Area, Desk, Stay};
+use crate::ui::{tint, words};
 use serde::Serialize;
 
 /// The aids that are shown.
@@ -55,16 +56,6 @@ const STRIP: Area = Area::new(41, 368, 601, 450);
 const MARGIN: i32 = 6;
 /// Pixels between two places where a function is computed.
 const PIXELS: i32 = 4;
-/// The colours of the functions, in turn.
-const INKS: [Color; 7] = [
-    Color::LightRed,
-    Color::LightGreen,
-    Color::Yellow,
-    Color::LightBlue,
-    Color::LightMagenta,
-    Color::LightCyan,
-    Color::Brown,
-];
 /// Functions that are numbered, and spans that are told one by one, at most.
 const NUMBERED: usize = 24;
 /// The length of the hair of a whole weight, and of the longest tooth of the comb.
@@ -167,10 +158,13 @@ where
         }
         if self.craft.aids.polygon == Polygon::Hull {
             // What is seen of a hull in space is the hull of what is seen of its points.
-            let flat: Vec<Point<2>> = sketch.points.iter().map(|&point| self.lens.flat(point)).collect();
-            let hull = plane_hull(&flat);
-            for (&from, &to) in hull.iter().zip(hull.iter().cycle().skip(1)) {
-                if let [Some(&from), Some(&to)] = [from, to].map(|index| sketch.points.get(index)) {
+            let flat = |&point: &Point<D>| {
+                let [x, y] = self.lens.flat(point);
+                [x, y, 0.0]
+            };
+            let hull = convex_hull(&sketch.points.iter().map(flat).collect::<Vec<_>>());
+            for ends in hull.edges {
+                if let [Some(&from), Some(&to)] = ends.map(|index| sketch.points.get(index)) {
                     side([from, to], Color::LightMagenta);
                 }
             }
@@ -180,16 +174,17 @@ where
     /// Marks every joint with its continuity, and numbers the spans; of many, those next to the mouse only.
     fn add_contacts(&self, curve: &dyn ParamCurve<D>, items: &mut Vec<Item<D>>) {
         let joints = curve.joints();
-        let distance = |joint: &usize| {
-            let (x, y) = joints.get(*joint).map_or((0, 0), |&at| self.lens.pixel(at));
-            (x - self.mouse.0).saturating_pow(2).saturating_add((y - self.mouse.1).saturating_pow(2))
-        };
+        let distance =
+            |joint: &usize| joints.get(*joint).map_or(i64::MAX, |&at| apart(self.lens.pixel(at), self.mouse));
         let nearest = (0..joints.len()).min_by_key(distance);
         let told = |joint: usize| curve.spans() <= NUMBERED || nearest == Some(joint);
         for (joint, &at) in joints.iter().enumerate() {
             items.push(Item::Joint(at));
-            let Some(contact) = contact(curve, joint).filter(|_| told(joint)) else { continue };
-            items.push(Item::Note { at, text: contact.to_string(), ink: Color::Yellow });
+            if let Some(contact) =
+                Some(joint).filter(|joint| told(*joint)).and_then(|joint| contact(curve, joint))
+            {
+                items.push(Item::Note { at, text: contact.to_string(), ink: Color::Yellow });
+            }
         }
         for span in (0..curve.spans()).filter(|span| told(*span)) {
             if let Some(at) = curve.eval(span, 0.5) {
@@ -244,7 +239,8 @@ where
         let chosen = self.looked_at();
         let order = (0..rows.len()).filter(|&index| Some(index) != chosen).chain(chosen);
         for (index, row) in order.filter_map(|index| Some((index, rows.get(index)?))) {
-            let ink = if Some(index) == chosen { Color::White } else { INKS[index % INKS.len()] };
+            let ink =
+                if Some(index) == chosen { Color::White } else { tint::LINES[index % tint::LINES.len()] };
             let line: Vec<(i32, i32)> =
                 row.iter().enumerate().map(|(column, &value)| (x_of(column), y_of(value))).collect();
             let stroke = if Some(index) == chosen { Stroke::thick(ink) } else { Stroke::thin(ink) };
@@ -264,10 +260,7 @@ where
 fn comb_scale<const D: usize>(curve: &dyn ParamCurve<D>) -> f64 {
     let bend = |(span, k): (usize, u32)| {
         let [_, slope, bend] = curve.at(span, f64::from(k) / 8.0)?;
-        let speed = norm(slope);
-        let along: f64 = (0..D).map(|d| bend[d] * slope[d]).sum::<f64>() / (speed * speed);
-        let across: Point<D> = std::array::from_fn(|d| bend[d] - along * slope[d]);
-        Some(norm(across) / (speed * speed)).filter(|bend| bend.is_finite())
+        Some(norm(curvature_vector(slope, bend))).filter(|bend| bend.is_finite())
     };
     let places = (0..curve.spans()).flat_map(|span| (0..=8).map(move |k| (span, k)));
     let mut bends: Vec<f64> = places.filter_map(bend).collect();
@@ -305,9 +298,8 @@ fn across<const D: usize>(slope: Point<D>, bend: Point<D>) -> Option<Point<D>> {
     if let ([x, y], 2) = ([*slope.first()?, *slope.get(1)?], D) {
         (across[0], across[1]) = (-y, x);
     } else {
-        let along: f64 = (0..D).map(|d| bend[d] * slope[d]).sum::<f64>() / (speed * speed);
-        across = std::array::from_fn(|d| along * slope[d] - bend[d]);
-        if norm(across) <= 1e-9 * speed {
+        across = curvature_vector(slope, bend).map(|x| -x);
+        if norm(across) * speed <= 1e-9 {
             // A straight piece: any direction across will do.
             (across[0], across[1]) =
                 if slope[0] == 0.0 && slope[1] == 0.0 { (1.0, 0.0) } else { (-slope[1], slope[0]) };

@@ -4,6 +4,7 @@ use super::{Ambient, Curves, Handle};
 use crate::design::DesignError;
 use crate::design::Place;
 use crate::editor::Editor;
+use crate::editor::field::apart;
 use crate::editor::lens::Lens;
 use crate::editor::seen::Item;
 use crate::editor::stage::Stage;
@@ -68,8 +69,8 @@ where
         let inner =
             |index: &usize| matches!(sketch.arc_point(*index), Some(ArcPoint::Joint([Some(_), Some(_)])));
         let distance = |index: &usize| {
-            let (x, y) = sketch.points.get(*index).map_or((0, 0), |&point| self.lens.pixel(point));
-            (i64::from(x) - i64::from(mouse.x)).pow(2) + (i64::from(y) - i64::from(mouse.y)).pow(2)
+            let point = sketch.points.get(*index);
+            point.map_or(i64::MAX, |&point| apart(self.lens.pixel(point), (mouse.x, mouse.y)))
         };
         let Some(joint) = (0..self.count()).filter(inner).min_by_key(distance) else {
             desk.tell(words::NO_JOINT, Stay::Briefly);

@@ -1,6 +1,7 @@
 //! Questions of the curve editors: the number of a point, other numbers, the form and method of the curve.
 
 use super::degree::{Chosen, ask_b_spline};
+use crate::editor::values::K0;
 use crate::file::Method;
 use crate::machine::{Asked, Key, Language, Manner, Stop};
 use crate::screen::Screen;
@@ -10,9 +11,6 @@ use crate::ui::{
     page,
 };
 use std::ops::RangeInclusive;
-
-/// The largest coefficient of the tangents.
-const LARGEST_K0: f64 = 10.0;
 
 /// The fewest points that have a curve.
 pub(in crate::editor) const FEWEST: usize = 3;
@@ -72,7 +70,7 @@ pub(crate) async fn ask_real(
 
 /// Asks for the coefficient of the automatic tangents.
 pub(in crate::editor) async fn ask_coefficient(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
-    ask_real(desk, picture, (words::COEFFICIENT, (222, 23)), -LARGEST_K0..=LARGEST_K0).await
+    ask_real(desk, picture, (words::COEFFICIENT, (222, 23)), K0.range()).await
 }
 
 /// Asks whether the curve is closed.

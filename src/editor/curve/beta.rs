@@ -1,16 +1,11 @@
 //! Bias and tension of beta-splines in the curve editors (chapter 2.3.7): buttons, questions and display.
 
 use super::ask::ask_real;
+use crate::editor::values::{BIAS, TENSION};
 use crate::geometry::Shape;
 use crate::machine::{Asked, Language};
 use crate::screen::{Color, Screen};
 use crate::ui::{Area, Desk, Picture, words};
-use std::ops::RangeInclusive;
-
-/// Range of the bias.
-pub(in crate::editor) const BIAS: RangeInclusive<f64> = 0.05..=20.0;
-/// Range of the tension: everything that four characters can express.
-pub(in crate::editor) const TENSION: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// Where the two values stand, and how many letters they have room for.
 pub(super) const BIAS_AT: (i32, i32) = (20, 5);
@@ -25,12 +20,12 @@ pub(in crate::editor) fn value_at<T>((x, y): (i32, i32), [bias, tension]: [T; 2]
 
 /// Asks for the bias.
 pub(in crate::editor) async fn ask_bias(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
-    ask_real(desk, picture, (words::BIAS_ENTRY, (232, 26)), BIAS).await
+    ask_real(desk, picture, (words::BIAS_ENTRY, (232, 26)), BIAS.range()).await
 }
 
 /// Asks for the tension.
 pub(in crate::editor) async fn ask_tension(desk: &mut Desk<'_>, picture: &dyn Picture) -> Asked<f64> {
-    ask_real(desk, picture, (words::TENSION_ENTRY, (232, 26)), TENSION).await
+    ask_real(desk, picture, (words::TENSION_ENTRY, (232, 26)), TENSION.range()).await
 }
 
 /// Writes the two values above and below their buttons.

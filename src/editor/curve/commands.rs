@@ -3,17 +3,18 @@
 use super::ask::{METHODS, ask_closure, ask_coefficient, ask_method};
 use super::tables::Action;
 use super::{Ambient, Curves, Tools, beta};
-use crate::design::Place;
+use crate::design::{Place, Sketch};
 use crate::editor::picture::{Layer as Part, Page};
 use crate::editor::stage::Stage;
 use crate::editor::{Editor, refusal};
 use crate::geometry::Point;
-use crate::machine::Asked;
+use crate::machine::{Asked, Manner};
 use crate::screen::Color;
 use crate::ui::words;
 use crate::ui::{Area, Desk, Stay};
 use crate::work::{Next, quit};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Where the coefficient of the tangents is shown: on the page, and left of it where tangents can be set.
 pub(super) const NOTE_AT: (i32, i32) = (262, 23);
@@ -128,8 +129,7 @@ where
             Tools::Own => return None,
             Tools::Beta => return beta::value_at(at, [Action::Bias, Action::Tension]),
         };
-        let live = self.shows_k0().then(|| k0_note(self.history.now().k0()));
-        let letters = i32::try_from(live.as_ref().or(self.craft.note.as_ref())?.chars().count()).ok()?;
+        let letters = i32::try_from(self.note(self.history.now())?.chars().count()).ok()?;
         Area::of_line(note, letters).holds(at.0, at.1).then_some(Action::K0)
     }
 
@@ -141,11 +141,21 @@ where
         desk.tell(if shown.follow { words::FOLLOWS } else { words::FOLLOWS_NOT }, Stay::Briefly);
     }
 
+    /// What is said of the curve beside the page. In the manner of today k0 is the value that the sketch has now: one that
+    /// was answered earlier may have been undone.
+    fn note(&self, sketch: &Sketch<D>) -> Option<Cow<'_, str>> {
+        if self.manner != Manner::Today {
+            return self.craft.note.as_deref().map(Cow::from);
+        }
+        let has = self.shows_k0() || (self.craft.tools == Tools::Tangents && self.has_automatic_tangents());
+        has.then(|| k0_note(sketch.k0()).into())
+    }
+
     /// Draws what is shown on the communication page and to its left.
     pub(super) fn draw_titles(&self, page: &mut Page<'_>) {
-        let live = self.shows_k0() || (self.craft.tools == Tools::Tangents && self.has_automatic_tangents());
-        let live = live.then(|| k0_note(self.preview().k0()));
-        let note = live.as_deref().or(self.craft.note.as_deref()).unwrap_or("");
+        let preview = self.preview();
+        let note = self.note(&preview).unwrap_or_default();
+        let note = note.as_ref();
         let language = page.language;
         match self.craft.tools {
             Tools::Methods => {

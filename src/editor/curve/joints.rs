@@ -1,12 +1,13 @@
 //! Bias and tension of single joints, which the book proposes (2.68) but its program lacks, and of all joints in
 //! common.
 
-use super::{Ambient, Curves, beta};
+use super::{Ambient, Curves};
 use crate::design::{Place, Sketch};
 use crate::editor::Editor;
 use crate::editor::lens::Lens;
 use crate::editor::picture::Page;
 use crate::editor::stage::Stage;
+use crate::editor::values;
 use crate::geometry::{Point, Shape};
 use crate::machine::Asked;
 use crate::screen::Color;
@@ -40,8 +41,8 @@ where
             ],
             [
                 field(284, 12, 2, Number::Whole(1..=count)),
-                field(264, 30, 4, Number::Real(beta::BIAS)),
-                field(376, 30, 5, Number::Real(beta::TENSION)),
+                field(264, 30, 4, Number::Real(values::BIAS.range())),
+                field(376, 30, 5, Number::Real(values::TENSION.range())),
             ],
         );
         let [joint, bias, tension] = desk.numbers(self, &form).await?;

@@ -4,12 +4,14 @@
 //! Five programs are this editor with [`Tools`] of their own. In the plane new points are dragged out of a store.
 
 mod aids;
+mod ambient;
 mod arcs;
 pub(crate) mod ask;
 pub(super) mod beta;
 mod commands;
 mod compare;
 mod degree;
+mod dump;
 mod joints;
 pub mod layer;
 pub(crate) mod points;
@@ -21,23 +23,24 @@ mod workshop;
 
 pub use tables::{BETA_KEYS, METHOD_KEYS, SPACE_BETA_KEYS, SPACE_METHOD_KEYS, TANGENT_KEYS};
 
-use super::field::on_disc;
-use super::lens::{Field, Held, Lens};
+use super::field::{on_disc, within};
+use super::lens::{Held, Lens};
 use super::picture::{Layer as Part, Page};
 use super::refusal;
 use super::seen::{Item, TIP_RADIUS};
 use super::stage::Stage;
 use super::{Craft, Dial, Editor};
 use crate::design::{Edit, Place, Sketch};
-use crate::file::{Document, FIELD, Format, Method, PlanePoints, SPACE_VIEW, SpacePoints};
-use crate::geometry::{Closure, Point};
+use crate::file::{Document, Format, Method};
+use crate::geometry::Point;
 use crate::machine::{Asked, Manner, Tick};
 use crate::screen::Color;
-use crate::ui::look::{Look, Poles, Viewer};
-use crate::ui::words::{self, Phrase, Words};
+use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Commands, Desk, Hint, Manual, Question, Start, Stay};
 use crate::work::Next;
+use ambient::Ambient;
 use compare::Kind;
+use dump::Model;
 use layer::Layer;
 use serde::Serialize;
 use tables::Action;
@@ -147,45 +150,6 @@ impl<const D: usize> Curves<D> {
     }
 }
 
-/// What differs between the plane and space.
-trait Ambient<const D: usize>: Sized {
-    type Lens: Lens<D> + 'static;
-    /// Where new points are taken from.
-    const STORE: Option<Point<D>>;
-    /// The fill colour of control points.
-    const FILL: Color;
-    /// Whether a curve that has disappeared is shown again while a point is dragged.
-    const LIVE: bool;
-    fn lens() -> Self::Lens;
-    fn format(tools: Tools) -> Format;
-    fn commands(tools: Tools) -> Commands<Action>;
-    /// The place of a pixel on the empty ground; `None` where a pixel is no place.
-    fn open_place(_: (i32, i32)) -> Option<Point<D>> {
-        None
-    }
-    /// The sketch of a document of this kind.
-    fn sketch(document: &Document) -> Result<Sketch<D>, Words>;
-    fn document(sketch: Sketch<D>) -> Document;
-    async fn ask_place(editor: &Editor<Curves<D>, D>, desk: &mut Desk<'_>) -> Asked<Point<D>>
-    where
-        Curves<D>: Craft<D>;
-    /// Changes the tangent at a point, where there are tangents.
-    async fn change_tangent(_: &mut Editor<Curves<D>, D>, _: &mut Desk<'_>, _: usize) -> Asked<()>
-    where
-        Curves<D>: Craft<D>,
-    {
-        Ok(())
-    }
-    /// Azimuth, elevation and zoom, where there are any.
-    fn angles(_: &Self::Lens) -> Option<[f64; 3]> {
-        None
-    }
-    /// Draws the layers that differ.
-    fn draw(editor: &Editor<Curves<D>, D>, layer: Part, page: &mut Page<'_>)
-    where
-        Curves<D>: Craft<D>;
-}
-
 /// What the mouse can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Handle {
@@ -197,42 +161,6 @@ enum Handle {
     New(usize),
     /// What is the program's own.
     Own,
-}
-
-/// The model as `dump` writes it. Angles are in degrees.
-#[derive(Serialize)]
-struct Model<P> {
-    points: Vec<P>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tangents: Option<Vec<P>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    joints: Option<Vec<crate::geometry::Shape>>,
-    bias: f64,
-    tension: f64,
-    method: Option<&'static str>,
-    closed: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    degree: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    smooth: Option<Vec<usize>>,
-    k0: f64,
-    visible: bool,
-    compared: Vec<Kind>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    series: Option<series::Series>,
-    #[serde(skip_serializing_if = "aids::Aids::none")]
-    aids: aids::Aids,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    chosen: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    own: Option<serde_json::Value>,
-    unsaved: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    azimuth: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    elevation: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    zoom: Option<f64>,
 }
 
 /// Segments per span, as many as in the original.
@@ -319,10 +247,11 @@ where
         self.tools.implied().or(self.usual)
     }
 
-    /// The handles of smooth joints lie between whole numbers, which the files of the plane hold only.
+    /// Handles of smooth joints lie between whole numbers, also once another method is chosen; the files of the plane
+    /// hold whole numbers only.
     fn fits_format(&self, sketch: &Sketch<D>) -> bool {
         let whole = || sketch.points.iter().flatten().all(|value| value.fract() == 0.0);
-        self.format() == Format::Ip3 || sketch.method() != Some(Method::Arcs) || whole()
+        self.format() == Format::Ip3 || whole()
     }
 
     fn behave(&mut self, manner: Manner) {
@@ -343,34 +272,7 @@ where
     }
 
     fn model(editor: &Editor<Self, D>) -> impl Serialize + 'static {
-        let sketch = editor.history.now();
-        let [azimuth, elevation, zoom] = match <Self as Ambient<D>>::angles(&editor.lens) {
-            Some(angles) => angles.map(Some),
-            None => [None; 3],
-        };
-        let known = |method: Method| if method == Method::Hermite { "coons" } else { method.name() };
-        Model {
-            points: sketch.points.clone(),
-            tangents: sketch.tangents.clone(),
-            joints: sketch.joints.clone(),
-            bias: sketch.shape().bias,
-            tension: sketch.shape().tension,
-            method: editor.method().filter(|_| editor.shown.known).map(known),
-            closed: editor.shown.known.then(|| sketch.closure() == Closure::Closed),
-            degree: sketch.settings.degree,
-            smooth: sketch.settings.smooth.clone(),
-            k0: sketch.k0(),
-            visible: editor.shown.visible,
-            compared: editor.craft.compared.clone(),
-            series: editor.craft.series.clone(),
-            aids: editor.craft.aids,
-            chosen: editor.picked.and_then(readout::name),
-            own: editor.craft.layer.as_ref().map(|layer| layer.model(&editor.scene())),
-            unsaved: editor.history.unsaved(),
-            azimuth,
-            elevation,
-            zoom,
-        }
+        Model::of(editor)
     }
 
     fn place(sketch: &Sketch<D>, handle: Handle) -> Option<Point<D>> {
@@ -408,12 +310,8 @@ where
         }
         let under = |&index: &usize| sketch.points.get(index).is_some_and(|&it| on_disc(lens.pixel(it), at));
         let order = lens.order(&sketch.points);
-        let on_tip = |&index: &usize| {
-            editor.tip(index).is_some_and(|tip| {
-                let (x, y) = lens.pixel(tip);
-                (x - at.0).pow(2) + (y - at.1).pow(2) <= TIP_RADIUS.pow(2)
-            })
-        };
+        let on_tip =
+            |&index: &usize| editor.tip(index).is_some_and(|tip| within(TIP_RADIUS, lens.pixel(tip), at));
         let point = order.iter().rev().copied().find(under);
         let tip = || order.iter().rev().copied().find(on_tip).map(Handle::Tip);
         point.map(Handle::Point).or_else(tip).or_else(|| editor.layer_grips(at).then_some(Handle::Own))
@@ -582,104 +480,4 @@ where
         let method = self.method_of(sketch)?;
         Some(sketch.by(method)).filter(|sketch| sketch.curve().is_ok())
     }
-}
-
-impl Ambient<2> for Curves<2> {
-    type Lens = Field;
-    const STORE: Option<Point<2>> = Some([577.0, 360.0]);
-    const FILL: Color = Color::DarkGray;
-    const LIVE: bool = false;
-
-    fn lens() -> Field {
-        Field
-    }
-
-    fn format(tools: Tools) -> Format {
-        if tools == Tools::Tangents { Format::Ic2 } else { Format::Ip2 }
-    }
-
-    fn commands(tools: Tools) -> Commands<Action> {
-        match tools {
-            Tools::Methods => tables::METHODS,
-            Tools::Tangents => tables::TANGENTS,
-            Tools::Beta => tables::BETA,
-            Tools::Own => Commands(&[]),
-        }
-    }
-
-    fn sketch(document: &Document) -> Result<Sketch<2>, Words> {
-        match document {
-            Document::PlanePoints(plane) => Ok(PlanePoints::clone(plane).into()),
-            _ => Err(words::WRONG_CONTENT),
-        }
-    }
-
-    fn document(sketch: Sketch<2>) -> Document {
-        sketch.into()
-    }
-
-    fn open_place((x, y): (i32, i32)) -> Option<Point<2>> {
-        Some(Field.place((x, y))).filter(|at| at.fits())
-    }
-
-    async fn ask_place(editor: &Editor<Curves<2>, 2>, desk: &mut Desk<'_>) -> Asked<Point<2>> {
-        super::place::ask_place_in_field(desk, editor, FIELD).await
-    }
-
-    async fn change_tangent(
-        editor: &mut Editor<Curves<2>, 2>,
-        desk: &mut Desk<'_>,
-        index: usize,
-    ) -> Asked<()> {
-        editor.change_tangent(desk, index).await
-    }
-
-    fn draw(editor: &Editor<Curves<2>, 2>, layer: Part, page: &mut Page<'_>) {
-        if layer == Part::Under && !editor.stage.is_result() {
-            // It ends where the original's word does.
-            let store = words::STORE.of(page.language);
-            let width = 8 * i32::try_from(store.chars().count()).unwrap_or(0);
-            page.screen.text(631 - width, 67, store, Color::White);
-        }
-    }
-}
-
-impl Ambient<3> for Curves<3> {
-    type Lens = Viewer;
-    const STORE: Option<Point<3>> = None;
-    const FILL: Color = Color::Black;
-    const LIVE: bool = true;
-
-    fn lens() -> Viewer {
-        Viewer::new(Look::new(SPACE_VIEW, Poles::Stop))
-    }
-
-    fn format(_: Tools) -> Format {
-        Format::Ip3
-    }
-
-    fn commands(tools: Tools) -> Commands<Action> {
-        if tools == Tools::Beta { tables::SPACE_BETA } else { tables::SPACE_METHODS }
-    }
-
-    fn sketch(document: &Document) -> Result<Sketch<3>, Words> {
-        match document {
-            Document::SpacePoints(space) => Ok(SpacePoints::clone(space).into()),
-            _ => Err(words::NOT_IN_SPACE),
-        }
-    }
-
-    fn document(sketch: Sketch<3>) -> Document {
-        sketch.into()
-    }
-
-    async fn ask_place(editor: &Editor<Curves<3>, 3>, desk: &mut Desk<'_>) -> Asked<Point<3>> {
-        super::place::ask_place(desk, editor, words::PLACE_3D).await
-    }
-
-    fn angles(lens: &Viewer) -> Option<[f64; 3]> {
-        Some(lens.look.angles())
-    }
-
-    fn draw(_: &Editor<Curves<3>, 3>, _: Part, _: &mut Page<'_>) {}
 }

@@ -86,11 +86,8 @@ where
 
     /// What can be done now.
     pub(super) fn hint(&self) -> Option<Hint> {
-        if self.craft.note.is_some()
-            || self.shows_k0()
-            || !self.craft.compared.is_empty()
-            || self.craft.series.is_some()
-        {
+        // The page holds either of them.
+        if self.shows_k0() || !self.craft.compared.is_empty() || self.craft.series.is_some() {
             return None;
         }
         if let Some(layer) = self.craft.layer.as_ref().filter(|_| self.count() >= self.fewest()) {

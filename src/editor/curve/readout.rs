@@ -4,6 +4,7 @@ use super::commands::{NOTE_AT, TANGENTS_NOTE_AT};
 use super::{Ambient, Curves, Handle, Tools, beta};
 use crate::design::{Place, Sketch};
 use crate::editor::picture::Page;
+use crate::editor::values::{BIAS, K0, TENSION};
 use crate::editor::{Craft, Dial, Editor};
 use crate::file::Method;
 use crate::geometry::{Point, Shape};
@@ -15,10 +16,6 @@ use serde::Serialize;
 /// Under the picture: the line of places in space, and where that of a field ends.
 const SPACE_LINE: (i32, i32) = (130, 470);
 const FIELD_LINE_END: (i32, i32) = (WIDTH - 3, 472);
-/// The tracks of k0, bias and tension, the values that are allowed, and a step.
-const K0: ([f64; 2], [f64; 2], f64) = ([-1.0, 3.0], [-10.0, 10.0], 0.1);
-const BIAS: ([f64; 2], [f64; 2], f64) = ([0.05, 8.0], [0.05, 20.0], 0.1);
-const TENSION: ([f64; 2], [f64; 2], f64) = ([-20.0, 20.0], [-1e6, 1e6], 0.5);
 /// Letters of the value of k0.
 const K0_LETTERS: i32 = 10;
 
@@ -81,9 +78,7 @@ where
         if self.manner != Manner::Today || !self.stage.begun() || self.stage.is_result() {
             return Vec::new();
         }
-        let dial = |at, letters, value, (track, allowed, step): ([f64; 2], [f64; 2], f64)| {
-            Dial::new(at, letters, 11, value, track).by(step, allowed)
-        };
+        let dial = |at, letters, value, values| Dial::new(at, letters, 11, value, values);
         let sketch = self.preview();
         match self.craft.tools {
             Tools::Methods if self.shows_k0() => vec![dial(NOTE_AT, K0_LETTERS, sketch.k0(), K0)],

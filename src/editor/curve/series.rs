@@ -2,14 +2,15 @@
 //! names of all curves that are compared.
 
 use super::compare::Kind;
-use super::{Ambient, Curves, Tools, beta};
+use super::{Ambient, Curves, Tools};
 use crate::design::{Place, Sketch};
 use crate::editor::picture::Page;
-use crate::editor::{Editor, refusal};
+use crate::editor::{Editor, refusal, values};
 use crate::file::Method;
 use crate::geometry::Point;
 use crate::machine::Asked;
 use crate::screen::Color;
+use crate::ui::tint;
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Question, Stay, TOP};
 use serde::Serialize;
@@ -31,15 +32,8 @@ pub(super) struct Series {
     values: Vec<f64>,
 }
 
-/// Curves of a series in their colours.
-const INKS: [Color; 6] = [
-    Color::LightRed,
-    Color::LightGreen,
-    Color::Yellow,
-    Color::LightBlue,
-    Color::LightMagenta,
-    Color::LightCyan,
-];
+/// Curves of a series at most.
+const MOST: usize = 6;
 
 impl Parameter {
     fn name(self) -> words::Words {
@@ -61,9 +55,9 @@ impl Parameter {
 
     fn allowed(self) -> RangeInclusive<f64> {
         match self {
-            Parameter::K0 => -10.0..=10.0,
-            Parameter::Bias => beta::BIAS,
-            Parameter::Tension => -1e6..=1e6,
+            Parameter::K0 => values::K0.range(),
+            Parameter::Bias => values::BIAS.range(),
+            Parameter::Tension => values::TENSION.range(),
         }
     }
 
@@ -95,16 +89,15 @@ fn read(parameter: Parameter, text: &str) -> Result<Vec<f64>, Phrase> {
     for word in text.split(separates).filter(|word| !word.is_empty()) {
         let value: Option<f64> = word.parse().ok();
         let Some(value) = value.filter(|value| parameter.allowed().contains(value)) else {
-            let (low, high) = parameter.allowed().into_inner();
-            return Err(words::wrong_value(word, low, high));
+            return Err(words::wrong_value(word, &parameter.allowed()));
         };
         if !values.contains(&value) {
             values.push(value);
         }
     }
     match values.len() {
-        0..=6 => Ok(values),
-        count => Err(words::too_many_values(count, INKS.len())),
+        0..=MOST => Ok(values),
+        count => Err(words::too_many_values(count, MOST)),
     }
 }
 
@@ -167,7 +160,7 @@ where
             }
         };
         let values = series.into_iter().flat_map(|series| {
-            series.values.iter().zip(INKS).map(move |value| of_value(value, series.parameter))
+            series.values.iter().zip(tint::LINES).map(move |value| of_value(value, series.parameter))
         });
         kinds.chain(values).collect()
     }
@@ -195,8 +188,8 @@ mod tests {
         assert_eq!(read(Parameter::K0, " 0.3, 0.5;1 1 -5"), Ok(vec![0.3, 0.5, 1.0, -5.0]));
         assert_eq!(read(Parameter::Tension, ""), Ok(Vec::new()));
         let refused = |parameter, text| read(parameter, text).unwrap_err().of(Language::English).to_owned();
-        assert_eq!(refused(Parameter::Bias, "1 0"), "\"0\" is no number from 0.05 to 20");
-        assert_eq!(refused(Parameter::K0, "nan"), "\"nan\" is no number from -10 to 10");
+        assert_eq!(refused(Parameter::Bias, "1 0"), "\"0\" is not a number from 0.05 to 20");
+        assert_eq!(refused(Parameter::K0, "nan"), "\"nan\" is not a number from -10 to 10");
         assert_eq!(refused(Parameter::K0, "1 2 3 4 5 6 7"), "7 values are too many: 6 at most");
     }
 }

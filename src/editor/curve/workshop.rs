@@ -5,6 +5,7 @@ use super::ask::FEWEST;
 use super::compare::Kind;
 use super::{Ambient, Curves};
 use crate::design::{Place, Sketch};
+use crate::editor::field::apart;
 use crate::editor::lens::Lens;
 use crate::editor::{Editor, refusal};
 use crate::figure::Figure;
@@ -103,12 +104,9 @@ where
     Point<D>: Place<D> + Serialize,
 {
     /// The smoothed point at a pixel.
-    fn nearest(&self, (x, y): (i32, i32)) -> Option<usize> {
-        let distance = |(index, &point): (usize, &Point<D>)| {
-            let (px, py) = self.editor.lens.pixel(point);
-            let (dx, dy) = (i64::from(px) - i64::from(x), i64::from(py) - i64::from(y));
-            (dx * dx + dy * dy, index)
-        };
+    fn nearest(&self, at: (i32, i32)) -> Option<usize> {
+        let distance =
+            |(index, &point): (usize, &Point<D>)| (apart(self.editor.lens.pixel(point), at), index);
         let nearest = self.smoothed.points.iter().enumerate().map(distance).min()?;
         Some(nearest.1).filter(|_| nearest.0 <= i64::from(REACH * REACH))
     }

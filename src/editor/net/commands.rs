@@ -6,8 +6,8 @@ use super::plan::Family;
 use super::tables::Action;
 use crate::design::{Index, NetDesign, Part};
 use crate::editor::curve::ask::ask_real;
-use crate::editor::curve::beta::{BIAS, TENSION};
 use crate::editor::place::{ask_height, ask_place};
+use crate::editor::values::{BIAS, SURFACE_K0, TENSION};
 use crate::editor::{Craft, Editor, refusal};
 use crate::file::{Method, NetSettings};
 use crate::geometry::{Border, Topology};
@@ -18,8 +18,6 @@ use crate::work::{Next, quit};
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 
-/// Range of the coefficient of the tangents.
-const K0: RangeInclusive<f64> = 0.0..=1.0;
 /// Places of the parameters' captions.
 const ENTRY: (i32, i32) = (232, 26);
 
@@ -42,16 +40,32 @@ impl Editor<Nets, 3> {
             Action::Result => self.show_result(desk).await?,
             Action::Bias(direction) => {
                 let set = |settings: &mut NetSettings, bias| settings.bias = Some(bias);
-                self.ask_parameter(desk, direction, words::BIAS_ENTRY, BIAS, NetDesign::bias, set).await?;
+                self.ask_parameter(desk, direction, words::BIAS_ENTRY, BIAS.range(), NetDesign::bias, set)
+                    .await?;
             }
             Action::Tension(direction) => {
                 let set = |settings: &mut NetSettings, tension| settings.tension = Some(tension);
-                self.ask_parameter(desk, direction, words::TENSION_ENTRY, TENSION, NetDesign::tension, set)
-                    .await?;
+                self.ask_parameter(
+                    desk,
+                    direction,
+                    words::TENSION_ENTRY,
+                    TENSION.range(),
+                    NetDesign::tension,
+                    set,
+                )
+                .await?;
             }
             Action::K0(direction) => {
                 let set = |settings: &mut NetSettings, k0| settings.k0 = Some(k0);
-                self.ask_parameter(desk, direction, words::COEFFICIENT_ENTRY, K0, NetDesign::k0, set).await?;
+                self.ask_parameter(
+                    desk,
+                    direction,
+                    words::COEFFICIENT_ENTRY,
+                    SURFACE_K0.range(),
+                    NetDesign::k0,
+                    set,
+                )
+                .await?;
             }
             Action::Follow => {
                 self.shown.follow = !self.shown.follow;
@@ -185,7 +199,7 @@ impl Editor<Nets, 3> {
             Some(direction) => direction,
             None => self.ask_direction(desk).await?,
         };
-        let typed = ask_real(desk, self, (caption, ENTRY), TENSION).await?;
+        let typed = ask_real(desk, self, (caption, ENTRY), TENSION.range()).await?;
         let value = typed.clamp(*range.start(), *range.end());
         if value != typed {
             desk.tell(words::taken_into(&range), Stay::Briefly);

@@ -56,7 +56,7 @@ impl Frame {
 }
 
 /// The lines from every point to the next.
-fn legs(points: &[Point<3>], closed: bool) -> Vec<[Point<3>; 2]> {
+pub(super) fn legs(points: &[Point<3>], closed: bool) -> Vec<[Point<3>; 2]> {
     let closure = if closed && points.len() > 2 { Closure::Closed } else { Closure::Open };
     let back = points.first().filter(|_| closure == Closure::Closed);
     points.iter().zip(points.iter().skip(1).chain(back)).map(|(a, b)| [*a, *b]).collect()

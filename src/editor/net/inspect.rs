@@ -5,11 +5,11 @@ use super::Nets;
 use super::plan::Family;
 use super::surface::{Drawn, draw_cells, draw_gap, draw_wires};
 use crate::editor::Editor;
-use crate::geometry::{BoundingBox, Grid, ParamSurface, Plane, Point, section};
+use crate::geometry::{Plane, Point, section};
 use crate::machine::{Key, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::look::Look;
-use crate::ui::tint;
+use crate::ui::tint::{self, Zebra};
 use crate::ui::{Desk, Stay, Words, words};
 
 /// What colours show.
@@ -58,12 +58,7 @@ pub(crate) struct Section {
 const RADIUS: Words = Words("kisebbik görbületi sugár", "smaller radius of curvature");
 /// Distance by which + and - move the plane, at the scale of 1.
 const STEP: f64 = 10.0;
-/// Coloured cells per cell of the net, in each direction.
-const FINE: usize = 28;
-/// The same where a patch has no cells of a net, as a Hermite patch.
-const FINEST: usize = 84;
-/// Largest number of coloured cells along one direction.
-const MOST_CELLS: usize = 256;
+
 impl Editor<Nets, 3> {
     /// Switches inspection, section, frame and weights, and moves the plane; returns whether the event was for that.
     pub(super) fn inspect(&mut self, desk: &mut Desk<'_>, tick: &Tick) -> bool {
@@ -137,44 +132,39 @@ impl Section {
 }
 
 impl Inspection {
-    /// Draws a surface in colours; `false` if nothing is inspected.
+    /// Draws a surface in colours; `false` if nothing is inspected, or there is no surface.
     pub(crate) fn draw(self, screen: &mut Screen, drawn: &Drawn, look: Look, distance: f64) -> bool {
-        let size = drawn.own().filter_map(|(surface, _)| surface.bounding_box());
-        let Some(size) = size.reduce(BoundingBox::union).map(|bounds| bounds.extent()) else { return false };
-        let reach = if distance == 0.0 { size / 8.0 } else { distance.abs() };
-        let toward = look.view.toward();
-        match self {
-            Inspection::Off => false,
-            Inspection::Zebra => draw_tinted(screen, drawn, look, |place| place.zebra(toward)),
-            Inspection::Curvature => draw_tinted(screen, drawn, look, |place| place.curvature(size)),
-            Inspection::Radius => {
-                draw_tinted(screen, drawn, look, |place| tint::radius(place.radius(), reach))
+        let fine = drawn.fine();
+        let colors: Vec<Color> = match self {
+            Inspection::Off => return false,
+            Inspection::Zebra => {
+                let (stripes, toward) = (Zebra::new(), look.view.toward());
+                fine.normals(drawn).iter().map(|normal| stripes.color(*normal, toward)).collect()
             }
-        }
+            Inspection::Curvature => {
+                let Some(size) = fine.size(drawn) else { return false };
+                let relative = |curvature: f64| curvature * size * size;
+                fine.curvatures(drawn).iter().map(|it| tint::curvature(it.map(relative))).collect()
+            }
+            Inspection::Radius => {
+                let Some(size) = fine.size(drawn) else { return false };
+                let reach = if distance == 0.0 { size / 8.0 } else { distance.abs() };
+                fine.radii(drawn).iter().map(|radius| tint::radius(*radius, reach)).collect()
+            }
+        };
+        draw_tinted(screen, drawn, look, &colors)
     }
 }
 
-/// Draws a surface in small cells of a colour each; `false` if there is no surface.
-pub(super) fn draw_tinted(
-    screen: &mut Screen,
-    drawn: &Drawn,
-    look: Look,
-    color: impl Fn(&Place<'_>) -> Color,
-) -> bool {
-    let [rows, columns] = drawn.spans;
-    let alone = rows.max(columns) <= 2 && drawn.own().all(|(surface, _)| surface.steps(0, 0, 1) == 1);
-    let most = if alone { FINEST } else { FINE };
-    let steps = most.min(MOST_CELLS / rows.max(columns).max(1)).max(2);
-    let fine: Vec<(&dyn ParamSurface, Grid)> =
-        drawn.own().filter_map(|(surface, _)| Some((surface, surface.grid(steps).ok()?))).collect();
-    if fine.is_empty() {
+/// Draws a surface in small cells of these colours; `false` if there is no surface.
+pub(super) fn draw_tinted(screen: &mut Screen, drawn: &Drawn, look: Look, colors: &[Color]) -> bool {
+    let fine = drawn.fine();
+    if colors.is_empty() {
         return false;
     }
-    let mut colors = fine.iter().flat_map(|(surface, grid)| {
-        places(*surface, steps, [grid.rows(), grid.columns()]).map(|place| color(&place))
+    draw_cells(screen, &fine.grids(), look, |place, _| {
+        (colors.get(fine.number(place)).copied().unwrap_or(tint::FLAT), None)
     });
-    let grids: Vec<&Grid> = fine.iter().map(|(_, grid)| grid).collect();
-    draw_cells(screen, &grids, look, |_, _| (colors.next().unwrap_or(tint::FLAT), None));
     drawn.gaps.iter().for_each(|gap| draw_gap(screen, gap, look));
     for part in &drawn.parts {
         if let Some(ink) = part.ink {
@@ -182,50 +172,4 @@ pub(super) fn draw_tinted(
         }
     }
     true
-}
-
-/// The centre of a cell of a grid.
-pub(super) struct Place<'s> {
-    surface: &'s dyn ParamSurface,
-    spans: [usize; 2],
-    parameters: [f64; 2],
-}
-
-/// The centres of all cells of a surface's grid, in the order of its cells.
-fn places(
-    surface: &dyn ParamSurface,
-    steps: usize,
-    [rows, columns]: [usize; 2],
-) -> impl Iterator<Item = Place<'_>> {
-    let [u, v] = [surface.line_places(0, steps), surface.line_places(1, steps)];
-    (1..rows).flat_map(move |k| {
-        let (u, v) = (u.clone(), v.clone());
-        (1..columns).filter_map(move |l| {
-            let ((i, u), (j, v)) = (*u.get(k - 1)?, *v.get(l - 1)?);
-            Some(Place { surface, spans: [i, j], parameters: [u, v] })
-        })
-    })
-}
-
-impl Place<'_> {
-    /// The value of something that is given by spans and parameters.
-    pub(super) fn value(&self, of: impl Fn([usize; 2], [f64; 2]) -> Option<f64>) -> Option<f64> {
-        of(self.spans, self.parameters)
-    }
-
-    fn zebra(&self, toward: Point<3>) -> Color {
-        tint::zebra(self.surface.normal(self.spans, self.parameters), toward)
-    }
-
-    /// The smaller of the two radii of curvature.
-    fn radius(&self) -> Option<f64> {
-        let at = self.surface.at(self.spans, self.parameters)?;
-        let (mean, gauss) = (at.mean_curvature()?, at.gaussian_curvature()?);
-        Some(1.0 / (mean.abs() + (mean * mean - gauss).max(0.0).sqrt()))
-    }
-
-    fn curvature(&self, size: f64) -> Color {
-        let curvature = self.surface.gaussian_curvature(self.spans, self.parameters);
-        tint::curvature(curvature.map(|curvature| curvature * size * size))
-    }
 }

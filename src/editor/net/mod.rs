@@ -4,6 +4,7 @@
 mod ask;
 mod commands;
 mod dump;
+mod fine;
 mod frame;
 mod inspect;
 mod joint;

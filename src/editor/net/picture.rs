@@ -1,5 +1,6 @@
 //! The visible items of a surface and its net, and the values under the picture.
 
+use super::frame::legs;
 use super::inspect::{Inspection, Section};
 use super::normals::{self, Gauss};
 use super::plan::Family;
@@ -7,9 +8,11 @@ use super::surface::{Display, Drawn, Fill, draw_parts};
 use super::tables::Action;
 use super::{Handle, Nets};
 use crate::design::{Index, NetDesign, Part};
+use crate::editor::field::within;
 use crate::editor::lens::Lens;
 use crate::editor::picture::{Layer, Page};
 use crate::editor::seen::{Item, Own};
+use crate::editor::values::{BIAS, SURFACE_K0, TENSION};
 use crate::editor::{Dial, Editor};
 use crate::figure::{Axes, Figure, Hidden};
 use crate::geometry::{BoundingBox, Grid, Point, View};
@@ -172,7 +175,12 @@ impl Editor<Nets, 3> {
         match self.craft.plan.family {
             Family::Heights => inked(ground_lines(net), Color::DarkGray).collect(),
             Family::Hermite if net.joint().is_some() => {
-                let legs = net.polygons().into_iter().flat_map(|(line, _)| pairs(&line)).collect();
+                let legs = net
+                    .polygons()
+                    .into_iter()
+                    .flat_map(|(line, _)| legs(&line, false))
+                    .map(|[from, to]| (from, to))
+                    .collect();
                 let borders = inked(border_lines(net), Color::White);
                 borders.chain(inked(legs, Color::LightGray)).collect()
             }
@@ -262,15 +270,13 @@ impl Editor<Nets, 3> {
         let net = self.preview();
         let dial = |(x, _, _, action): &(i32, Words, String, Action)| {
             let of = |values: [f64; 2], direction: usize| values.get(direction).copied().unwrap_or_default();
-            let (value, track, allowed, step) = match action {
-                Action::Bias(Some(direction)) => (of(net.bias(), *direction), [0.05, 8.0], [0.05, 20.0], 0.1),
-                Action::Tension(Some(direction)) => {
-                    (of(net.tension(), *direction), [-20.0, 20.0], [-1e6, 1e6], 0.5)
-                }
-                Action::K0(Some(direction)) => (of(net.k0(), *direction), [0.0, 1.0], [0.0, 1.0], 0.05),
+            let (value, values) = match action {
+                Action::Bias(Some(direction)) => (of(net.bias(), *direction), BIAS),
+                Action::Tension(Some(direction)) => (of(net.tension(), *direction), TENSION),
+                Action::K0(Some(direction)) => (of(net.k0(), *direction), SURFACE_K0),
                 _ => return None,
             };
-            Some(Dial::new((*x, VALUES_Y), VALUE_LETTERS, -2, value, track).by(step, allowed))
+            Some(Dial::new((*x, VALUES_Y), VALUE_LETTERS, -2, value, values))
         };
         self.values().iter().filter_map(dial).collect()
     }
@@ -327,14 +333,12 @@ impl Editor<Nets, 3> {
     pub(super) fn nearest_of(
         &self,
         net: &NetDesign,
-        (x, y): (i32, i32),
+        at: (i32, i32),
         of: impl Fn(&NetDesign, Index) -> Option<Point<3>>,
     ) -> Option<Index> {
         let under = net.indices().filter_map(|index| {
             let point = of(net, index)?;
-            let (px, py) = self.lens.pixel(point);
-            let near = (px - x).pow(2) + (py - y).pow(2) <= REACH * REACH;
-            near.then(|| (index, self.lens.look.seen().depth(point)))
+            within(REACH, self.lens.pixel(point), at).then(|| (index, self.lens.look.seen().depth(point)))
         });
         under.max_by(|(_, one), (_, other)| one.total_cmp(other)).map(|(index, _)| index)
     }
@@ -359,11 +363,6 @@ fn border_lines(net: &NetDesign) -> Vec<Line> {
         }
     }
     lines
-}
-
-/// The lines from every point to the next.
-fn pairs(points: &[Point<3>]) -> Vec<Line> {
-    points.iter().zip(points.iter().skip(1)).map(|(from, to)| (*from, *to)).collect()
 }
 
 /// A tension with one decimal, or in scientific notation if that does not fit.

@@ -25,7 +25,7 @@ pub struct Show {
     pub manual: Manual,
     /// The initial direction of view.
     pub view: Point<3>,
-    /// The constants of its equation, at most nine.
+    /// The constants of its equation, at most six.
     pub constants: &'static [Constant],
     /// The points that it is drawn from, by the values of the constants.
     pub grid: fn(&[i32]) -> Grid,
@@ -130,7 +130,7 @@ impl Picture for Shown {
             match steps.painted() {
                 Some(painted) => {
                     draw_in_order(screen, &self.grid, look, painted);
-                    for [x, y] in steps.wrong() {
+                    for &[x, y] in steps.wrong() {
                         screen.bar(x, y, x, y, Color::LightRed);
                     }
                 }
@@ -195,9 +195,16 @@ impl Shown {
         }
     }
 
+    /// Looks from another distance, which the size of the body limits.
+    fn see_from(&mut self, sight: Sight) {
+        let bounds = BoundingBox::of_points(self.grid.points());
+        self.viewer.look = self.viewer.look.seen_from(sight, bounds);
+    }
+
     fn take(&mut self, values: Vec<i32>) {
         self.grid = (self.show.grid)(&values);
         self.values = values;
+        self.see_from(self.viewer.look.sight());
     }
 
     /// Changes the chosen constant by steps, within its range.
@@ -263,8 +270,7 @@ impl Shown {
             }
             Some(Action::Sight) => {
                 let sight = self.viewer.look.sight().next();
-                let bounds = BoundingBox::of_points(self.grid.points());
-                self.viewer.look = self.viewer.look.seen_from(sight, bounds);
+                self.see_from(sight);
                 desk.tell(sight.told(), Stay::Briefly);
             }
             Some(Action::Paint) => self.steps = Some(Steps::new(self.painting())),

@@ -1,14 +1,18 @@
 //! Draws surfaces: as wires, or as filled cells with a depth buffer.
 
+use super::fine::Fine;
 use super::plan::Family;
 use super::{Nets, normals};
 use crate::design::{DesignError, NetDesign};
 use crate::geometry::painter::Step;
-use crate::geometry::{BoundingBox, DepthBuffer, GeometryError, Grid, ParamSurface, Point, Vertex};
+use crate::geometry::{
+    BoundingBox, DepthBuffer, GeometryError, Grid, ParamSurface, Point, Vertex, near_first,
+};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
 use crate::ui::words;
+use std::cell::OnceCell;
 
 /// Wires or filled cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +45,8 @@ pub(crate) struct Drawn {
     pub(crate) spans: [usize; 2],
     /// Grid cells per cell of the net, in each direction.
     pub(crate) steps: usize,
+    /// What inspection colours it by, once it has been asked for: it stays the same while the surface is turned.
+    pub(super) fine: OnceCell<Fine>,
 }
 
 /// A part of what is drawn.
@@ -71,7 +77,7 @@ impl Drawn {
         let grid = surface.grid(steps)?;
         let spans = surface.spans();
         let part = Part { surface: Some(surface), grid, ink: None, folded: false };
-        Ok(Drawn { parts: vec![part], gaps: Vec::new(), spans, steps })
+        Ok(Drawn { parts: vec![part], gaps: Vec::new(), spans, steps, fine: OnceCell::new() })
     }
 
     /// The parts of the surface itself.
@@ -163,7 +169,7 @@ pub(crate) fn draw_parts(
         }
         Display::Filled => {
             let grids: Vec<&Grid> = drawn.parts.iter().map(|part| &part.grid).chain(&drawn.gaps).collect();
-            draw_cells(screen, &grids, look, |index, _| match drawn.parts.get(index) {
+            draw_cells(screen, &grids, look, |[index, _], _| match drawn.parts.get(index) {
                 Some(part) => (Color::Black, Some(part.lines(ink))),
                 None => (Color::Red, Some(Color::LightRed)),
             });
@@ -192,13 +198,13 @@ pub(crate) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Colo
     }
 }
 
-/// Draws the cells of grids that hide each other; fill and edge colour of each are given by the index of its grid and
-/// its corners.
+/// Draws the cells of grids that hide each other; fill and edge colour of each are given by the indices of its grid and
+/// of the cell in it, and by its corners.
 pub(crate) fn draw_cells(
     screen: &mut Screen,
     grids: &[&Grid],
     look: Look,
-    mut inks: impl FnMut(usize, &[Vertex; 4]) -> (Color, Option<Color>),
+    inks: impl Fn([usize; 2], &[Vertex; 4]) -> (Color, Option<Color>),
 ) {
     let points = grids.iter().flat_map(|grid| grid.points());
     let mut vertices: Vec<Vertex> = points.map(|&point| vertex(look, point)).collect();
@@ -206,20 +212,28 @@ pub(crate) fn draw_cells(
     for vertex in &mut vertices {
         (vertex.x, vertex.y) = (vertex.x.saturating_sub(corner.0), vertex.y.saturating_sub(corner.1));
     }
-    let mut cells: Vec<Cell> = Vec::new();
     let mut first = 0;
-    for (index, grid) in grids.iter().enumerate() {
-        cells.extend(grid.cells().map(|cell| {
-            // The indices come from the grid's points.
-            let corners = cell.map(|corner| vertices.get(first + corner).copied().unwrap_or_default());
-            Cell { corners, inks: inks(index, &corners) }
-        }));
+    let starts = grids.iter().map(|grid| {
+        let start = first;
         first += grid.points().len();
-    }
-    // The order does not change the picture; front to back is quickest, as hidden pixels are skipped.
-    cells.sort_unstable_by(|a, b| b.nearest().total_cmp(&a.nearest()));
+        start
+    });
+    let cells: Vec<([usize; 2], [usize; 4])> = starts
+        .zip(grids.iter().enumerate())
+        .flat_map(|(start, (index, grid))| {
+            let cells = grid.cells().enumerate();
+            cells.map(move |(number, cell)| ([index, number], cell.map(|corner| start + corner)))
+        })
+        .collect();
+    // The indices come from the grids' points.
+    let corners = |cell: &[usize; 4]| cell.map(|corner| vertices.get(corner).copied().unwrap_or_default());
+    let nearest = |cell: &[usize; 4]| corners(cell).iter().map(|it| it.depth).fold(f32::MIN, f32::max);
+    let depths: Vec<f32> = cells.iter().map(|(_, cell)| nearest(cell)).collect();
     let mut buffer = DepthBuffer::new(width, height);
-    for Cell { corners, inks: (fill, edge) } in cells {
+    for number in near_first(&depths) {
+        let Some((place, cell)) = cells.get(number as usize) else { continue };
+        let corners = corners(cell);
+        let (fill, edge) = inks(*place, &corners);
         buffer.cell(&corners, fill as u8, edge.map(|edge| edge as u8));
     }
     show(screen, &buffer, corner);
@@ -243,18 +257,6 @@ pub(super) fn draw_in_order(screen: &mut Screen, grid: &Grid, look: Look, steps:
         buffer.cell(&corners, fill as u8, Some(edge as u8));
     }
     show(screen, &buffer, (0, 0));
-}
-
-/// A projected cell.
-struct Cell {
-    corners: [Vertex; 4],
-    inks: (Color, Option<Color>),
-}
-
-impl Cell {
-    fn nearest(&self) -> f32 {
-        self.corners.iter().map(|corner| corner.depth).fold(f32::MIN, f32::max)
-    }
 }
 
 /// The bounding box of vertices on the screen: upper left pixel, width and height. `None` if it is empty.

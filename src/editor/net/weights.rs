@@ -8,6 +8,7 @@ use super::surface::Drawn;
 use super::{Frame, Nets};
 use crate::design::{Index, NetDesign};
 use crate::editor::Editor;
+use crate::editor::field::apart;
 use crate::editor::lens::Lens;
 use crate::editor::seen::{Item, Own};
 use crate::figure::Figure;
@@ -36,8 +37,11 @@ struct Weighted {
 
 impl Own<3> for Weighted {
     fn paint(&self, screen: &mut Screen) {
-        let weight = |spans, parameters| self.weight.eval(spans, parameters).map(|[weight, ..]| weight);
-        draw_tinted(screen, &self.drawn, self.look, |place| tint::weight(place.value(weight)));
+        let weight = |_: &dyn ParamSurface, spans, parameters| {
+            tint::weight(self.weight.eval(spans, parameters).map(|[weight, ..]| weight))
+        };
+        let colors = self.drawn.fine().values(&self.drawn, weight);
+        draw_tinted(screen, &self.drawn, self.look, &colors);
         let [least, most] = extremes(&*self.weight);
         let [k, l] = self.index;
         screen.text(CAPTION.0, CAPTION.1, &format!("w[{k}, {l}] = {least:.3} ... {most:.3}"), Color::Yellow);
@@ -89,12 +93,10 @@ impl Editor<Nets, 3> {
         self.map().hit(at).or_else(|| self.nearest_of(self.history.now(), at, NetDesign::point))
     }
 
-    fn nearest_to(&self, (x, y): (i32, i32)) -> Option<Index> {
+    fn nearest_to(&self, at: (i32, i32)) -> Option<Index> {
         let net = self.history.now();
-        let distance = |index: &Index| {
-            let (px, py) = self.lens.pixel(net.point(*index).unwrap_or_default());
-            i64::from(px - x).pow(2) + i64::from(py - y).pow(2)
-        };
+        let distance =
+            |index: &Index| net.point(*index).map_or(i64::MAX, |point| apart(self.lens.pixel(point), at));
         net.indices().min_by_key(distance)
     }
 

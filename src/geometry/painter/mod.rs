@@ -178,21 +178,34 @@ impl Pairs {
         pairs
     }
 
-    /// Why the face at a place must be painted before that at another one.
-    fn before(&self, one: usize, other: usize) -> Option<Test> {
-        let (order, test) = *self.nearer.get(&[one.min(other), one.max(other)])?;
-        let order = if one < other { order } else { order.reverse() };
-        (order == Ordering::Less).then_some(test)
+    /// For every face those that must be painted after it, and why.
+    fn behind(&self, count: usize) -> Vec<Vec<(usize, Test)>> {
+        let mut behind: Vec<Vec<(usize, Test)>> = vec![Vec::new(); count];
+        for (&[one, other], &(order, test)) in &self.nearer {
+            let (before, after) = if order == Ordering::Less { (one, other) } else { (other, one) };
+            if let Some(list) = behind.get_mut(before) {
+                list.push((after, test));
+            }
+        }
+        behind
     }
 
     /// The book's order: one pass over the places by depth, in which a face goes before the first that it must.
     fn book_order(&self, count: usize) -> Vec<(usize, Option<(usize, Test)>)> {
         let mut order: Vec<(usize, Option<(usize, Test)>)> = Vec::with_capacity(count);
-        for one in 0..count {
-            let goal = order
-                .iter()
-                .enumerate()
-                .find_map(|(at, &(other, _))| Some((at, other, self.before(one, other)?)));
+        // Why the present face goes before another one, for those that it must go before.
+        let mut why: Vec<Option<Test>> = vec![None; count];
+        for (one, behind) in self.behind(count).iter().enumerate() {
+            let earlier = || behind.iter().filter(|(other, _)| *other < one);
+            for &(other, test) in earlier() {
+                why[other] = Some(test);
+            }
+            let first = |(at, &(other, _)): (usize, &(usize, _))| Some((at, other, why[other]?));
+            // Most faces go before none, and need not be placed.
+            let goal = earlier().next().and_then(|_| order.iter().enumerate().find_map(first));
+            for &(other, _) in earlier() {
+                why[other] = None;
+            }
             match goal {
                 Some((at, other, test)) => order.insert(at, (one, Some((other, test)))),
                 None => order.push((one, None)),
@@ -205,11 +218,9 @@ impl Pairs {
     /// left.
     fn possible(&self, count: usize) -> bool {
         let mut first = vec![0_usize; count];
-        let mut after: Vec<Vec<usize>> = vec![Vec::new(); count];
-        for (&[one, other], &(order, _)) in &self.nearer {
-            let (before, behind) = if order == Ordering::Less { (one, other) } else { (other, one) };
-            if let (Some(list), Some(number)) = (after.get_mut(before), first.get_mut(behind)) {
-                list.push(behind);
+        let after = self.behind(count);
+        for &(behind, _) in after.iter().flatten() {
+            if let Some(number) = first.get_mut(behind) {
                 *number += 1;
             }
         }
@@ -217,7 +228,7 @@ impl Pairs {
         let mut taken = 0;
         while let Some(at) = free.pop() {
             taken += 1;
-            for &behind in after.get(at).map_or(&[][..], |list| list) {
+            for &(behind, _) in after.get(at).map_or(&[][..], |list| list) {
                 if let Some(number) = first.get_mut(behind) {
                     *number -= 1;
                     free.extend((*number == 0).then_some(behind));

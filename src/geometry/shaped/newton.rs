@@ -9,6 +9,12 @@ const STARTS: usize = 48;
 const STEPS: usize = 40;
 /// Halvings of a step that does not come nearer.
 const HALVINGS: usize = 12;
+/// Values that each step of the grid of parameters is parted into, where no start succeeds.
+const PARTS: usize = 4;
+/// Places that the nearest one of a curve is searched from.
+const PLACES: u32 = 32;
+/// Golden sections between three such values.
+const SECTIONS: usize = 45;
 
 /// What a curve's point and derivatives by the place are at a parameter and a place.
 pub(super) type At<'a, const D: usize> = &'a dyn Fn(f64, f64) -> Option<[Point<D>; 3]>;
@@ -93,10 +99,71 @@ impl<const D: usize> Problem<'_, D> {
         }
         Some((place, distance))
     }
+
+    /// The place of the curve of this parameter that is nearest to the target, and the distance there.
+    fn nearest(&self, value: f64) -> Option<([f64; 2], f64)> {
+        let off = |x: f64| self.rest(value, x).map(norm);
+        let starts = (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES));
+        let (mut x, mut distance) =
+            starts.filter_map(|x| Some((x, off(x)?))).min_by(|a, b| a.1.total_cmp(&b.1))?;
+        for _ in 0..STEPS {
+            let [_, by_x, by_xx] = (self.at)(value, x)?;
+            let rest = self.rest(value, x)?;
+            let square = dot(by_x, by_x);
+            let bend = square + dot(by_xx, rest);
+            let step = -dot(by_x, rest) / if bend > 0.0 { bend } else { square };
+            let nearer = (0..HALVINGS as i32).find_map(|halving| {
+                let next = (x + step * 0.5_f64.powi(halving)).clamp(0.0, 1.0);
+                off(next).filter(|far| *far < distance).map(|far| (next, far))
+            });
+            let Some(next) = nearer else { break };
+            (x, distance) = next;
+        }
+        Some(([value, x], distance))
+    }
+
+    /// What is found by the curves of the parameters alone: where the distance from the nearest place is least, by
+    /// golden sections. It takes longer than [`Problem::follow`], and does not mind a parameter that moves the point
+    /// almost along its curve.
+    fn swept(&self, values: &[f64]) -> Vec<([f64; 2], f64)> {
+        let part = |pair: &[f64], k: usize| pair[0] + (pair[1] - pair[0]) * k as f64 / PARTS as f64;
+        let mut all = vec![self.limits[0], self.limits[1]];
+        all.extend(values.windows(2).flat_map(|pair| (0..=PARTS).map(move |k| part(pair, k))));
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        let ends: Vec<([f64; 2], f64)> = all.iter().filter_map(|value| self.nearest(*value)).collect();
+        let off = |k: usize| ends.get(k).map_or(f64::INFINITY, |end| end.1);
+        let least = |k: &usize| off(*k) <= off(k.wrapping_sub(1)) && off(*k) <= off(k + 1);
+        (0..ends.len())
+            .filter(least)
+            .filter_map(|k| {
+                let around = [ends[k.saturating_sub(1)], ends[(k + 1).min(ends.len() - 1)]];
+                let found = self.narrowed(around.map(|end| end.0[0]))?;
+                self.follow(found.0)
+            })
+            .collect()
+    }
+
+    /// The parameter between two whose curve comes nearest to the target.
+    fn narrowed(&self, [mut low, mut high]: [f64; 2]) -> Option<([f64; 2], f64)> {
+        let ratio = (5.0_f64.sqrt() - 1.0) / 2.0;
+        let (mut a, mut b) =
+            (self.nearest(high - ratio * (high - low))?, self.nearest(low + ratio * (high - low))?);
+        for _ in 0..SECTIONS {
+            if a.1 < b.1 {
+                (high, b) = (b.0[0], a);
+                a = self.nearest(high - ratio * (high - low))?;
+            } else {
+                (low, a) = (a.0[0], b);
+                b = self.nearest(low + ratio * (high - low))?;
+            }
+        }
+        Some(if a.1 < b.1 { a } else { b })
+    }
 }
 
-/// The ends of iterations from a grid of these parameters and sixteen places, the best starts first. All that succeed, and
-/// the best of the others.
+/// The ends of iterations from a grid of these parameters and sixteen places, the best starts first; where none succeeds,
+/// those of a sweep through the parameters too. All that succeed, and the best of the others.
 pub(super) fn solve<const D: usize>(problem: &Problem<'_, D>, values: &[f64]) -> Vec<[f64; 2]> {
     let mut starts: Vec<([f64; 2], f64)> = values
         .iter()
@@ -104,8 +171,11 @@ pub(super) fn solve<const D: usize>(problem: &Problem<'_, D>, values: &[f64]) ->
         .filter_map(|start| Some((start, norm(problem.rest(start[0], start[1])?))))
         .collect();
     starts.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let ends: Vec<([f64; 2], f64)> =
+    let mut ends: Vec<([f64; 2], f64)> =
         starts.iter().take(STARTS).filter_map(|(start, _)| problem.follow(*start)).collect();
+    if ends.iter().all(|end| end.1 > problem.enough) {
+        ends.extend(problem.swept(values));
+    }
     let least = ends.iter().fold(f64::INFINITY, |least, end| least.min(end.1));
     ends.into_iter().filter(|end| end.1 <= problem.enough.max(least)).map(|end| end.0).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::Render;
 use crate::picture::Format;
-use crate::sample::SURFACE_STEPS;
+use crate::steps::{self, For};
 use grafika::design::ec::EcShapes;
 use grafika::figure::{CURVE_INK, Hidden, print_ink};
 use grafika::file::SPACE_VIEW;
@@ -38,7 +38,9 @@ impl Render {
             false => self.check_wires()?,
         }
         let view = View::from_direction(self.view.unwrap_or(SPACE_VIEW));
-        let steps = self.per_span.unwrap_or(SURFACE_STEPS) as usize;
+        let surfaces: Vec<&dyn ParamSurface> =
+            parts.patches.iter().map(|patch| patch as &dyn ParamSurface).collect();
+        let steps = steps::of_surfaces(self.per_span, &surfaces, For::Picture);
         let grids: Vec<Grid> = parts
             .patches
             .iter()

@@ -20,7 +20,7 @@ impl Render {
         let mut points: Vec<Point<2>> = Vec::new();
         let mut bounds: Option<BoundingBox<3>> = None;
         let shape = |member: &crate::series::Member| {
-            member.design.shape().map_err(|error| failure(&member.label, &error))
+            member.design.shape().map_err(|error| failure(&format!("{name}, {}", member.label), &error))
         };
         let shapes = members.iter().map(shape).collect::<Result<Vec<Shape>, Failure>>()?;
         if self.view.is_some() && !shapes.iter().all(|shape| matches!(shape, Shape::Space(_))) {

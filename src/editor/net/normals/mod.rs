@@ -16,6 +16,7 @@ use crate::file::Method;
 use crate::geometry::{BoundingBox, Grid, Jacobian, ParamSurface, PnNet, Point, norm};
 use crate::screen::Color;
 use serde::Serialize;
+use std::cell::OnceCell;
 
 /// The length of a stick as a part of the net's extent.
 const STICK: f64 = 0.18;
@@ -73,7 +74,8 @@ pub(super) fn draw_up(net: &NetDesign, beside: Beside) -> Result<Drawn, DesignEr
     let patches = net.patches_with_normals()?;
     let spans = patches.size();
     let steps = (LINES / spans[0].max(spans[1]).max(1)).clamp(STEPS[0], STEPS[1]);
-    let mut drawn = Drawn { parts: Vec::new(), gaps: gaps(net, &patches), spans, steps };
+    let mut drawn =
+        Drawn { parts: Vec::new(), gaps: gaps(net, &patches), spans, steps, fine: OnceCell::new() };
     add(&mut drawn, &patches, None)?;
     if beside.compared {
         let other = by_the_other(net).patches_with_normals()?;

@@ -178,3 +178,14 @@ proptest! {
         prop_assert!(off(there, target) < 1e-7);
     }
 }
+
+/// A parameter that moves the point almost along its curve: Newton's iteration ends 3e-4 beside the target.
+#[test]
+fn a_target_that_the_curve_glides_past_is_reached() {
+    let trig = Trig::new(2, 4, 5.742260519308427, 4.0, Phi::Trig).unwrap();
+    let curve = ShapedCurve::new(Family::Trig(trig), zigzag(7, 375), false).unwrap();
+    let target = curve.with(Parameter::Beta, 5.6).unwrap().eval(0, 0.22757348147730513).unwrap();
+    let reach = curve.through(Parameter::Beta, target).unwrap();
+    assert!(reach.admissible, "{reach:?}");
+    assert!((reach.value - 5.6).abs() < 1e-3, "{reach:?}");
+}
