@@ -2,7 +2,7 @@
 //! neither saved nor undone.
 
 use super::words::{Phrase, Words};
-use crate::geometry::{BoundingBox, Point, Projection, Turn, View};
+use crate::geometry::{BoundingBox, Point, Projection, Turn, Vertex, View};
 use crate::machine::{Button, Event, Key, Tick};
 use serde::Serialize;
 
@@ -96,6 +96,32 @@ pub(crate) struct Look {
     projection: Projection,
 }
 
+/// The places of points on the screen.
+pub(crate) struct Places {
+    /// The view with its projection, of the middle at the origin.
+    view: View,
+    /// The same of places in space.
+    seen: View,
+    middle: Point<3>,
+    scale: f64,
+    shift: (i32, i32),
+}
+
+impl Places {
+    /// The pixel that a point falls on.
+    pub(crate) fn to_screen(&self, point: Point<3>) -> (i32, i32) {
+        let point = std::array::from_fn(|d| point[d] - self.middle[d]);
+        let [x, y] = self.view.pixel(point, self.scale);
+        (pixel(x) + self.shift.0, pixel(y) + self.shift.1)
+    }
+
+    /// The same with its depth.
+    pub(crate) fn vertex(&self, point: Point<3>) -> Vertex {
+        let (x, y) = self.to_screen(point);
+        Vertex { x, y, depth: self.seen.depth(point) as f32 }
+    }
+}
+
 /// What an arrow key does when the view is along the z axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Poles {
@@ -181,9 +207,13 @@ impl Look {
 
     /// The pixel of a point.
     pub(crate) fn to_screen(self, point: Point<3>) -> (i32, i32) {
-        let point = std::array::from_fn(|d| point[d] - self.middle[d]);
-        let [x, y] = self.view.projected(self.projection, [0.0; 3]).pixel(point, self.scale());
-        (pixel(x) + self.shift.0, pixel(y) + self.shift.1)
+        self.places().to_screen(point)
+    }
+
+    /// What places many points on the screen: all that does not depend on the point is computed once.
+    pub(crate) fn places(self) -> Places {
+        let view = self.view.projected(self.projection, [0.0; 3]);
+        Places { view, seen: self.seen(), middle: self.middle, scale: self.scale(), shift: self.shift }
     }
 
     /// A point dragged by pixels to the right and down; its depth stays.

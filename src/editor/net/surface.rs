@@ -5,9 +5,7 @@ use super::plan::Family;
 use super::{Nets, normals};
 use crate::design::{DesignError, NetDesign};
 use crate::geometry::painter::Step;
-use crate::geometry::{
-    BoundingBox, DepthBuffer, GeometryError, Grid, ParamSurface, Point, Vertex, near_first,
-};
+use crate::geometry::{BoundingBox, DepthBuffer, GeometryError, Grid, ParamSurface, Vertex, near_first};
 use crate::machine::Language;
 use crate::screen::{Color, HEIGHT, Screen, Stroke, WIDTH};
 use crate::ui::look::Look;
@@ -187,7 +185,8 @@ pub(super) fn draw_gap(screen: &mut Screen, gap: &Grid, look: Look) {
 }
 
 pub(crate) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Color) {
-    let pixels: Vec<(i32, i32)> = grid.points().iter().map(|&point| look.to_screen(point)).collect();
+    let places = look.places();
+    let pixels: Vec<(i32, i32)> = grid.points().iter().map(|&point| places.to_screen(point)).collect();
     let stroke = Stroke::thin(ink);
     for row in pixels.chunks(grid.columns()) {
         screen.polyline(row, stroke);
@@ -207,7 +206,8 @@ pub(crate) fn draw_cells(
     inks: impl Fn([usize; 2], &[Vertex; 4]) -> (Color, Option<Color>),
 ) {
     let points = grids.iter().flat_map(|grid| grid.points());
-    let mut vertices: Vec<Vertex> = points.map(|&point| vertex(look, point)).collect();
+    let places = look.places();
+    let mut vertices: Vec<Vertex> = points.map(|&point| places.vertex(point)).collect();
     let Some((corner, [width, height])) = seen(&vertices) else { return };
     for vertex in &mut vertices {
         (vertex.x, vertex.y) = (vertex.x.saturating_sub(corner.0), vertex.y.saturating_sub(corner.1));
@@ -268,11 +268,6 @@ fn seen(vertices: &[Vertex]) -> Option<((i32, i32), [usize; 2])> {
     };
     let ((x, width), (y, height)) = (span(|it| it.x, WIDTH)?, span(|it| it.y, HEIGHT)?);
     Some(((x, y), [width, height]))
-}
-
-fn vertex(look: Look, point: Point<3>) -> Vertex {
-    let (x, y) = look.to_screen(point);
-    Vertex { x, y, depth: look.seen().depth(point) as f32 }
 }
 
 /// Whether the lower side of a height field's cell is visible: its corners then have the opposite orientation.

@@ -224,9 +224,10 @@ pub(super) fn straight(glyphs: Glyphs, arms: Arms) -> char {
 /// Which of the 2x4 parts of a cell a thin line passes: bit `2 * row + column`.
 pub(super) type Dots = u8;
 
-/// Whether dots are a row or a column, as of the rim of something that stands beside the cell.
+/// Whether dots are whole rows or a column, as of the rims of what stands beside the cell.
 pub(super) fn is_straight(dots: Dots) -> bool {
-    [0x03, 0x0C, 0x30, 0xC0, 0x55, 0xAA].contains(&dots)
+    const LEFT: Dots = 0x55;
+    dots & LEFT == dots >> 1 & LEFT || dots == LEFT || dots == !LEFT
 }
 
 /// The character of a thin line.
