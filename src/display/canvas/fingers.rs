@@ -88,21 +88,14 @@ impl Fingers {
             Phase::Down => {
                 self.down.retain(|finger| finger.id != id);
                 self.down.push(Finger { id, at, from: at });
-                self.doing = match (self.down.as_slice(), self.doing) {
-                    ([_], _) => {
+                events.extend(let_go(self.doing));
+                self.doing = match self.down.as_slice() {
+                    [_] => {
                         events.push(moved(at));
                         Doing::Waiting(now)
                     }
-                    ([one, other], doing) => {
-                        if let Doing::Holding(button) = doing {
-                            events.push(Event::Release(button));
-                        }
-                        Doing::Two { notch: distance(one.at, other.at).max(1.0), turning: false }
-                    }
-                    (_, doing) => {
-                        events.extend(let_go(doing));
-                        Doing::Over
-                    }
+                    [one, other] => Doing::Two { notch: distance(one.at, other.at).max(1.0), turning: false },
+                    _ => Doing::Over,
                 };
                 if let [one, other] = self.down.as_mut_slice() {
                     (one.from, other.from) = (one.at, other.at);
