@@ -19,7 +19,6 @@ let running = null;
 let pending = null;
 let frame = 0;
 let timer = 0;
-let touched = false;
 
 const coarse = () => matchMedia("(pointer: coarse)").matches;
 
@@ -263,7 +262,6 @@ function resize() {
 function listen() {
   const guarded = (work) => {
     if (!running) return undefined;
-    touched = true;
     const result = call(work);
     soon();
     return result;
@@ -391,7 +389,7 @@ async function main() {
   // A browser that keeps nothing still runs the programs.
   await Promise.all([files.load(), work.load()]).catch((error) => files.told.trouble(error));
   route();
-  globalThis.grafika = { app, files, work, measured, running: () => running, wasTouched: () => touched };
+  globalThis.grafika = { app, files, work, measured, running: () => running };
   document.documentElement.dataset.ready = "yes";
   if (navigator.serviceWorker && location.protocol.startsWith("http")) {
     const known = Boolean(navigator.serviceWorker.controller);

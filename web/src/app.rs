@@ -7,14 +7,14 @@ use crate::settings::{Results, Settings, preferences};
 use crate::work::{Keeping, Trouble};
 use crate::{catalog, share};
 use grafika::display::Display;
-use grafika::display::canvas::{Canvas, Fingers, Phase, Stage, Stroke, taken};
+use grafika::display::canvas::{Canvas, CanvasError, Fingers, Phase, Stage, Stroke, taken};
 use grafika::file::{Document, Format};
 use grafika::machine::{
     Button, Event, Key, KeyLine, Language, Machine, Manner, Modifier, Request, Session,
     Settings as MachineSettings, check_name,
 };
 use grafika::programs::{by_name, menu, of_format};
-use grafika::ui::Program;
+use grafika::ui::{Phrase, Program};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -85,10 +85,12 @@ impl App {
     #[wasm_bindgen(constructor)]
     pub fn new(host: Host, canvas: HtmlCanvasElement, language: &str) -> Result<App, JsValue> {
         let host = Rc::new(host);
+        let usual = Language::from_code(language).unwrap_or(Language::English);
+        let told = |error: CanvasError| thrown(Phrase::plain(&error).of(usual));
         let stage = Stage { width: 640.0, height: 480.0, density: 1.0 };
         Ok(App {
             files: Rc::new(RefCell::new(Files::new(Rc::clone(&host)))),
-            canvas: Canvas::new(canvas, stage).map_err(thrown)?,
+            canvas: Canvas::new(canvas, stage).map_err(told)?,
             host,
             session: None,
             program: None,
@@ -96,7 +98,7 @@ impl App {
             held: [false; 3],
             turned: 0.0,
             trouble: Trouble::default(),
-            usual: Language::from_code(language).unwrap_or(Language::English),
+            usual,
         })
     }
 
@@ -107,9 +109,7 @@ impl App {
 
     /// The language of the program, else the preferred one.
     pub fn language(&self) -> String {
-        let session = self.session.as_ref().map(Session::language);
-        let language = session.or(preferences(&self.host).language).unwrap_or(self.usual);
-        language.code().to_owned()
+        self.spoken().code().to_owned()
     }
 
     /// Prefers a language from now on.
@@ -128,15 +128,20 @@ impl App {
     /// What is wrong with its file, puzzle or document, or that there is no such program.
     pub fn start(&mut self, begin: &str, now: f64) -> Result<(), JsValue> {
         let begin: Begin = serde_json::from_str(begin).map_err(thrown)?;
+        let preferences = preferences(&self.host);
+        let wished = begin.language.as_deref().and_then(Language::from_code);
+        let language = wished.or(preferences.language).unwrap_or(self.usual);
         let own_menu = menu::PROGRAM.manual.name;
         let program: &'static Program = match by_name(&begin.program) {
             Some(program) => program,
             None if begin.program.eq_ignore_ascii_case(own_menu) => &menu::PROGRAM,
-            None => return Err(thrown(format!("there is no program {:?}", begin.program))),
+            None => {
+                let name = &begin.program;
+                let none =
+                    Phrase::new(format!("nincs {name} program"), format!("there is no program {name}"));
+                return Err(thrown(none.of(language)));
+            }
         };
-        let preferences = preferences(&self.host);
-        let wished = begin.language.as_deref().and_then(Language::from_code);
-        let language = wished.or(preferences.language).unwrap_or(self.usual);
         let manner = begin.manner.as_deref().and_then(Manner::from_name).unwrap_or(preferences.manner);
         let settings = MachineSettings { language, seed: begin.seed, manner };
         let keeping = Keeping::new(Rc::clone(&self.host), begin.left, Rc::clone(&self.trouble));
@@ -153,7 +158,8 @@ impl App {
             (.., Some(text)) => Some(open::puzzle(program, text)),
             _ => None,
         };
-        let (document, name): (_, Option<String>) = match opened.transpose().map_err(thrown)? {
+        let opened = opened.transpose().map_err(|problem| thrown(problem.of(language)))?;
+        let (document, name): (_, Option<String>) = match opened {
             Some((document, name)) => (Some(document), name),
             None => (None, None),
         };
@@ -177,13 +183,15 @@ impl App {
         let canvas = &self.canvas;
         let late = self.fingers.late(now, |at| canvas.pixel_at(at.0, at.1));
         self.send_all(late);
+        let language = self.spoken();
+        let told = |error: &dyn std::fmt::Display| thrown(Phrase::plain(error).of(language));
         let Some(session) = &mut self.session else { return Ok(-2.0) };
-        let due = self.canvas.advance(session).map_err(thrown)?;
+        let due = self.canvas.advance(session).map_err(|error| told(&error))?;
         if session.ended() {
             // A film being recorded has been saved, or that has failed.
             let finished = session.finish();
             (self.session, self.program) = (None, None);
-            finished.map_err(thrown)?;
+            finished.map_err(|error| told(&error))?;
             return Ok(-2.0);
         }
         let first = due.into_iter().chain(self.fingers.due()).min_by(f64::total_cmp);
@@ -368,7 +376,8 @@ impl App {
     /// What is wrong with the file.
     #[wasm_bindgen(js_name = programOf)]
     pub fn program_of(&self, name: &str) -> Result<String, JsValue> {
-        let program = open::program_of(&self.files, name, self.program).map_err(thrown)?;
+        let program = open::program_of(&self.files, name, self.program)
+            .map_err(|problem| thrown(problem.of(self.spoken())))?;
         Ok(program.manual.name.to_owned())
     }
 
@@ -395,7 +404,7 @@ impl App {
     /// What is wrong with it.
     #[wasm_bindgen(js_name = checkName)]
     pub fn check_name(&self, name: &str) -> Result<(), JsValue> {
-        check_name(name).map_err(thrown)
+        check_name(name).map_err(|error| thrown(Phrase::plain(&error).of(self.spoken())))
     }
 
     /// All files of this browser in one.
@@ -410,6 +419,11 @@ impl App {
     #[wasm_bindgen(js_name = workTrouble)]
     pub fn work_trouble(&mut self, why: &str) {
         *self.trouble.borrow_mut() = Some(why.to_owned());
+    }
+
+    fn spoken(&self) -> Language {
+        let session = self.session.as_ref().map(Session::language);
+        session.or(preferences(&self.host).language).unwrap_or(self.usual)
     }
 
     fn send_all(&mut self, events: Vec<Event>) {
