@@ -373,7 +373,7 @@ async function share() {
 async function main() {
   const usual = navigator.languages?.some((code) => code.toLowerCase().startsWith("hu")) ? "hu" : "en";
   speak(usual);
-  await init();
+  await init({ module_or_path: new URL("glue/grafika_web_bg.wasm", import.meta.url) });
   // On small screens whole pixels would leave much of the place empty.
   if (coarse() && !recall("settings")) remember("settings", JSON.stringify({ look: "fill" }));
   app = new App(host, canvas, usual);
