@@ -335,6 +335,8 @@ async fn start(desk: &mut Desk<'_>, index: usize) -> Asked<()> {
     desk.machine.set_file(None);
     desk.machine.become_guest();
     let ended = start(desk.machine).await;
+    // The keys are the menu's again.
+    desk.set_keys(MANUAL.keys);
     if !desk.machine.end_visit() {
         ended.unless_cancelled()?;
     }

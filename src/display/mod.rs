@@ -1,11 +1,15 @@
-//! Where a session is shown: a window or a terminal; later the canvas of a browser.
+//! Where a session is shown: a window, a terminal, or the canvas of a browser.
 //!
 //! A display provides what only the system can: a clock, keys, a mouse and a surface to paint on. It knows nothing of
 //! what a program draws, and programs know nothing of it. All displays share [`Display::step`]. The terminal calls it
-//! in a loop, the window from desktop events.
+//! in a loop, the window from desktop events, the canvas from the frames of a browser.
 
+#[cfg(feature = "web")]
+pub mod canvas;
 #[cfg(any(feature = "window", feature = "terminal"))]
 mod clock;
+#[cfg(any(feature = "window", feature = "web"))]
+mod layout;
 #[cfg(feature = "terminal")]
 pub mod terminal;
 #[cfg(feature = "window")]

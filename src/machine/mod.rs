@@ -30,6 +30,7 @@ mod film;
 mod pointing;
 mod port;
 mod preferences;
+mod prompt;
 mod record;
 mod recovery;
 mod samples;
@@ -44,6 +45,7 @@ pub use files::{Files, Standing};
 pub use pointing::{POINTER_KEYS, PointerKey, Pointing};
 pub use port::Wait;
 pub use preferences::{Cloth, Glyphs, Keeper, Look, PointerSpeed, Preference, Preferences, Shown};
+pub use prompt::{KeyLine, Request};
 pub use record::Recorder;
 pub use recovery::{Lost, Recovery, Verdict, Work};
 pub use samples::{SAMPLES, SAMPLES_PAGE, sample};
@@ -57,6 +59,7 @@ pub use storage::{
 use crate::screen::{Masks, Screen};
 use film::Film;
 use port::{Port, Turn};
+use prompt::Prompt;
 use serde::Serialize;
 use std::cell::RefCell;
 use std::fmt;
@@ -198,6 +201,7 @@ impl Machine {
             manner: settings.manner,
             pointing: Pointing::default(),
             preferences: Preferences::default(),
+            prompt: Prompt::default(),
             answer: None,
         };
         Machine {
@@ -242,6 +246,33 @@ impl Machine {
     pub fn with_bests(mut self, bests: impl Bests + 'static) -> Machine {
         self.bests = Some(Box::new(bests));
         self
+    }
+
+    /// The machine with a display that passes documents on, as [`Session::document`] gives them.
+    #[must_use]
+    pub fn with_documents(self) -> Machine {
+        self.port.borrow_mut().prompt.wanted = true;
+        self
+    }
+
+    /// Tells the display which keys the program has.
+    pub fn tell_keys(&mut self, keys: Vec<KeyLine>) {
+        self.port.borrow_mut().prompt.keys = keys;
+    }
+
+    /// Tells the display what is asked for now, if anything.
+    pub fn tell_request(&mut self, request: Option<Request>) {
+        self.port.borrow_mut().prompt.request = request;
+    }
+
+    /// Whether the display asks for documents.
+    pub fn wants_documents(&self) -> bool {
+        self.port.borrow().prompt.wanted
+    }
+
+    /// Gives the display what is being made, as JSON when it asks for it; `None` if it is no document.
+    pub fn tell_document(&mut self, document: impl Fn() -> Option<String> + 'static) {
+        self.port.borrow_mut().prompt.document = Some(Box::new(document));
     }
 
     fn port(&self) -> Rc<RefCell<Port>> {
@@ -334,6 +365,12 @@ impl Machine {
     /// What the user has chosen for all programs.
     pub fn preferences(&self) -> Preferences {
         self.port.borrow().preferences.clone()
+    }
+
+    /// What can be chosen where the program is shown.
+    pub fn offered_preferences(&self) -> Vec<Preference> {
+        let offered = |it: &Preference| self.keeper.as_ref().is_none_or(|keeper| keeper.offers(*it));
+        Preference::ALL.into_iter().filter(offered).collect()
     }
 
     /// Changes what the user has chosen: what can change at once does (language, manner, colours, the look of the

@@ -4,6 +4,7 @@
 //! screen is moved from one to the other at the await, so it is never shared.
 
 use super::event::{Mouse, Tick};
+use super::prompt::Prompt;
 use super::{Asked, Language, Manner, Pointer, Pointing, Preferences, StorageError};
 use crate::screen::Screen;
 use serde::Serialize;
@@ -57,6 +58,7 @@ pub(super) struct Port {
     pub(super) filming: bool,
     /// The error of saving after the program had ended.
     pub(super) lost: Option<StorageError>,
+    pub(super) prompt: Prompt,
     /// What the waiting program gets when it is polled next.
     pub(super) answer: Option<Asked<Tick>>,
 }

@@ -352,6 +352,11 @@ pub trait Keeper {
     /// # Errors
     /// Why they cannot be kept, for the user.
     fn keep(&mut self, preferences: &Preferences) -> Result<(), String>;
+
+    /// Whether a setting means something where the programs are shown.
+    fn offers(&self, _preference: Preference) -> bool {
+        true
+    }
 }
 
 #[cfg(test)]

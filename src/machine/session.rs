@@ -7,7 +7,8 @@ use super::event::{Event, Mouse, Tick};
 use super::port::{Port, Wait};
 use super::record::Recorder;
 use super::{
-    Asked, Glyphs, Language, Look, Machine, Manner, Pointer, PointerSpeed, Pointing, Stop, StorageError,
+    Asked, Glyphs, KeyLine, Language, Look, Machine, Manner, Pointer, PointerSpeed, Pointing, Request, Stop,
+    StorageError,
 };
 use crate::screen::{Color, Masks, Palette, Screen, WIDTH, visible};
 use std::cell::{Ref, RefCell};
@@ -86,6 +87,26 @@ impl Session {
         let port = self.port.borrow();
         let file = port.file.as_ref().map(|file| format!(" - {}", visible(file))).unwrap_or_default();
         format!("{program}{file}{}", if port.unsaved { " *" } else { "" })
+    }
+
+    /// Whether something would be lost.
+    pub fn unsaved(&self) -> bool {
+        self.port.borrow().unsaved
+    }
+
+    /// The keys that the program has told.
+    pub fn keys(&self) -> Vec<KeyLine> {
+        self.port.borrow().prompt.keys.clone()
+    }
+
+    /// What the program asks for now, if anything.
+    pub fn request(&self) -> Option<Request> {
+        self.port.borrow().prompt.request.clone()
+    }
+
+    /// What is being made as JSON, on a machine [with documents](Machine::with_documents).
+    pub fn document(&self) -> Option<String> {
+        self.port.borrow().prompt.document.as_ref().and_then(|document| document())
     }
 
     /// A copy of the screen, with a red dot in the upper right corner while a film is being recorded. No saved picture

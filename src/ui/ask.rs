@@ -6,7 +6,7 @@ use super::entry::{Accepts, Entry, Typed};
 use super::frame::{Area, hot_text, page, window};
 use super::save::line_entry;
 use super::words::{self, Hot, Phrase};
-use crate::machine::{Asked, Key, Language, Manner, Stop, Tick};
+use crate::machine::{Asked, Key, Language, Manner, Request, Stop, Tick};
 use crate::screen::{Color, Screen};
 use std::ops::RangeInclusive;
 
@@ -105,13 +105,18 @@ impl<T> Choices<T> {
         self.answers.iter().find(chosen).map(|(.., meaning)| meaning)
     }
 
-    /// The keys that answer.
-    fn keys(&self, language: Language) -> String {
+    /// The letters that answer.
+    fn letters(&self, language: Language) -> Vec<Key> {
         let letter = |text: Hot| match language {
             Language::English if text == words::YES => 'Y',
             _ => text.letter,
         };
-        let letters: String = self.answers.iter().flat_map(|&(_, text, _)| [letter(text), ' ']).collect();
+        self.answers.iter().map(|&(_, text, _)| Key::Char(letter(text))).collect()
+    }
+
+    /// The keys that answer, for the user.
+    fn keys(&self, language: Language) -> String {
+        let letters: String = self.letters(language).iter().map(|key| format!("{key} ")).collect();
         format!("{letters} Enter")
     }
 }
@@ -290,7 +295,8 @@ impl Desk<'_> {
                 choices.draw_with(default, screen, language);
                 strip.iter().for_each(|strip| strip.draw(screen, &choices.keys(language)));
             });
-            let tick = self.event(&page).await?;
+            let tick =
+                self.event_asked(&page, Request::Keys(choices.letters(self.machine.language()))).await?;
             if Strip::cancels(strip.as_ref(), &tick) {
                 return Err(Stop::Cancelled);
             }
@@ -367,7 +373,7 @@ impl Desk<'_> {
                     entries.iter().for_each(|entry| entry.draw(screen));
                     strip.iter().for_each(|strip| strip.draw(screen, &field.kind.range()));
                 });
-                let tick = self.event(&typing).await?;
+                let tick = self.event_asked(&typing, Request::Number).await?;
                 if Strip::cancels(strip.as_ref(), &tick) {
                     return Err(Stop::Cancelled);
                 }
@@ -440,7 +446,7 @@ impl Desk<'_> {
                 screen.text(dot_x, 222, &dotted, Color::Black);
                 strip.iter().for_each(|strip| strip.draw(screen, "Enter"));
             });
-            let tick = self.event(&typing).await?;
+            let tick = self.event_asked(&typing, Request::Text).await?;
             if Strip::cancels(strip.as_ref(), &tick) {
                 return Err(Stop::Cancelled);
             }
@@ -512,7 +518,7 @@ impl Desk<'_> {
                 entry.draw(screen);
                 strip.iter().for_each(|strip| strip.draw(screen, "Enter"));
             });
-            let tick = self.event(&typing).await?;
+            let tick = self.event_asked(&typing, Request::Text).await?;
             if Strip::cancels(strip.as_ref(), &tick) {
                 return Err(Stop::Cancelled);
             }

@@ -1,13 +1,16 @@
 //! The desk a program works at: the machine, the keys common to all programs, and the help page.
 
 use super::hint::Hint;
+use super::key_lines::key_lines;
 use super::lesson::Lesson;
 use super::notice::{MESSAGE_TIME, Notice, Stay};
 use super::words::{Phrase, Words};
 use crate::figure::Figure;
 use crate::file::Document;
 use crate::geometry::ParamSurface;
-use crate::machine::{Asked, Asking, Event, Key, Language, Machine, Manner, Preference, Preferences, Tick};
+use crate::machine::{
+    Asked, Asking, Event, Key, Language, Machine, Manner, Preference, Preferences, Request, Tick,
+};
 use crate::screen::Screen;
 use std::pin::Pin;
 use std::time::Duration;
@@ -127,6 +130,7 @@ pub(super) enum Wake {
 impl<'m> Desk<'m> {
     /// A desk for a program.
     pub fn new(machine: &'m mut Machine, manual: Manual) -> Desk<'m> {
+        machine.tell_keys(key_lines(manual.keys));
         Desk { machine, manual, notice: None, away: Duration::ZERO, aside: false }
     }
 
@@ -138,6 +142,7 @@ impl<'m> Desk<'m> {
     /// Shows other keys on the help page, where the manner has other ones.
     pub fn set_keys(&mut self, keys: &'static [KeyHelp]) {
         self.manual.keys = keys;
+        self.machine.tell_keys(key_lines(keys));
     }
 
     /// Draws the picture and sleeps until an event for the program. F1 (help), F2 (language), F9 (settings), F10 (figure),
@@ -147,6 +152,14 @@ impl<'m> Desk<'m> {
     /// [`Stop::Closed`](crate::machine::Stop::Closed) when the display is being closed.
     pub async fn event(&mut self, picture: &dyn Picture) -> Asked<Tick> {
         self.event_within(picture, Wake::Never).await
+    }
+
+    /// Like [`Desk::event`], while something is asked.
+    pub(crate) async fn event_asked(&mut self, picture: &dyn Picture, request: Request) -> Asked<Tick> {
+        self.machine.tell_request(Some(request));
+        let tick = self.event(picture).await;
+        self.machine.tell_request(None);
+        tick
     }
 
     /// Like [`Desk::event`], but returns a tick without an event at a given moment.

@@ -41,7 +41,7 @@ impl Desk<'_> {
 }
 
 /// Keys common to all programs, listed after the program's own ones.
-const COMMON_KEYS: &[KeyHelp] = &[
+pub(super) const COMMON_KEYS: &[KeyHelp] = &[
     (Words("F1", "F1"), words::HELP_HELP),
     (Words("F2", "F2"), words::HELP_LANGUAGE),
     (Words("F9", "F9"), words::HELP_SETTINGS),

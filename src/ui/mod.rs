@@ -14,6 +14,7 @@ mod frame;
 mod help;
 mod hint;
 pub mod hungarian;
+mod key_lines;
 mod lesson;
 pub(crate) mod look;
 mod notice;

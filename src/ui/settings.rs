@@ -63,26 +63,34 @@ fn shown(preference: Preference, value: &str, language: Language) -> String {
     words.of(language).to_string()
 }
 
+/// What the page is about.
+struct Chosen {
+    preferences: Preferences,
+    /// What can be chosen here, row by row.
+    offered: Vec<Preference>,
+}
+
 /// The row of a preference.
-fn row(preference: Preference) -> Row<Preferences> {
-    let shown = |it: &Preferences, row: usize, language: Language| {
-        let preference = Preference::ALL.get(row).copied().unwrap_or(Preference::Folder);
-        shown(preference, &it.get(preference), language)
+fn row(preference: Preference) -> Row<Chosen> {
+    let shown = |it: &Chosen, row: usize, language: Language| {
+        let preference = it.offered.get(row).copied().unwrap_or(Preference::Folder);
+        shown(preference, &it.preferences.get(preference), language)
     };
     match preference {
         Preference::Folder => Row::Text {
             name: name(preference),
             caption: words::FOLDER_ENTRY,
-            get: |it| it.get(Preference::Folder),
+            get: |it| it.preferences.get(Preference::Folder),
             shown,
             // Any text is accepted; whether the folder exists shows when a file is saved.
-            set: |it, folder| drop(it.set(Preference::Folder, folder)),
+            set: |it, folder| drop(it.preferences.set(Preference::Folder, folder)),
         },
         _ => Row::Choice {
             name: name(preference),
             shown,
             turn: |it, row, forward| {
-                Preference::ALL.get(row).into_iter().for_each(|&preference| it.turn(preference, forward));
+                let chosen = it.offered.get(row).copied();
+                chosen.into_iter().for_each(|preference| it.preferences.turn(preference, forward));
             },
         },
     }
@@ -93,23 +101,24 @@ impl Desk<'_> {
     /// kept.
     pub(super) async fn settings(&mut self, under: &dyn Picture) -> Asked<()> {
         // The 16 colours with the present palette.
-        let colors = Row::Preview(2, |_: &Preferences, screen: &mut Screen, area: Area| {
+        let colors = Row::Preview(2, |_: &Chosen, screen: &mut Screen, area: Area| {
             for (x, color) in (area.x1 + 4..).step_by(27).zip(Color::ALL) {
                 screen.bar(x, area.y1 + 13, x + 26, area.y1 + 27, color);
             }
         });
         let close = Row::Button(words::SETTINGS_CLOSE);
-        let rows = Preference::ALL.into_iter().map(row).chain([colors, close]).collect();
+        let offered = self.machine.offered_preferences();
+        let rows = offered.iter().copied().map(row).chain([colors, close]).collect();
         let tabs = vec![Tab { name: words::SETTINGS, rows }];
         let mut panel =
             Panel { area: PAGE, title: words::SETTINGS, keys: words::SETTINGS_KEYS, tabs, chosen: [0, 0] };
-        let mut preferences = self.machine.preferences();
+        let mut chosen = Chosen { preferences: self.machine.preferences(), offered };
         loop {
-            match self.panel(under, &mut panel, &mut preferences).await.unless_cancelled()? {
+            match self.panel(under, &mut panel, &mut chosen).await.unless_cancelled()? {
                 // The language may have been changed by F2 meanwhile: only what was turned counts.
                 Some(Done::Changed) => {
-                    if let Some(&turned) = Preference::ALL.get(panel.chosen[1]) {
-                        let value = preferences.get(turned);
+                    if let Some(&turned) = chosen.offered.get(panel.chosen[1]) {
+                        let value = chosen.preferences.get(turned);
                         self.prefer(|it| drop(it.set(turned, &value)));
                     }
                 }
@@ -117,7 +126,7 @@ impl Desk<'_> {
                 // The only button is that for going back.
                 Some(Done::Pressed(_)) | None => return Ok(()),
             }
-            preferences = self.machine.preferences();
+            chosen.preferences = self.machine.preferences();
         }
     }
 }

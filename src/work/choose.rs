@@ -6,7 +6,7 @@ use crate::design::{Design, Shape};
 use crate::figure::all_lines;
 use crate::file::{CloudFormat, CloudReader, Document, Format, Method, SPACE_VIEW, TableOptions};
 use crate::geometry::{BoundingBox, ParamCurve, ParamSurface, Point, View};
-use crate::machine::{Asked, Event, Key, Language, SAMPLES, Stop, Storage, Tick};
+use crate::machine::{Asked, Event, Key, Language, Request, SAMPLES, Stop, Storage, Tick};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
 use crate::ui::{Accepts, Area, Desk, Entry, Over, Typed, panel, window};
@@ -65,7 +65,7 @@ pub(crate) async fn choose_file<W: Work>(state: &W, desk: &mut Desk<'_>) -> Aske
         let over = Over::new(state, |screen: &mut Screen, language: Language| {
             chooser.draw(screen, language, &ending);
         });
-        let tick = desk.event(&over).await?;
+        let tick = desk.event_asked(&over, Request::Text).await?;
         if let Some(name) = chooser.event(&tick, &ending)? {
             return Ok(name);
         }

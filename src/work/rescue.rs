@@ -1,6 +1,7 @@
 //! Keeps unsaved work during a session, and offers it again after a session that broke off.
 
 use super::life::Work;
+use crate::design;
 use crate::machine::{self, Asked, Asking, Verdict};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{Answer, Desk, Picture, Question, Stay};
@@ -10,6 +11,10 @@ use crate::ui::{Answer, Desk, Picture, Question, Stay};
 /// cannot be kept, the reason is shown once.
 pub fn keep<W: Work>(state: &mut W, desk: &mut Desk<'_>) {
     let touched = state.history().take_touched();
+    if touched && desk.machine.wants_documents() {
+        let document = state.document().map(|document| design::naming(document, state.implied()));
+        desk.machine.tell_document(move || document.as_ref().ok()?.to_json().ok());
+    }
     let (program, file) = (desk.program(), desk.machine.file().map(str::to_string));
     let Some(recovery) = desk.machine.recovery() else { return };
     if touched {

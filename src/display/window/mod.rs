@@ -5,14 +5,13 @@
 //! only a picture that has changed. It knows nothing of what the program draws.
 
 mod keys;
-mod layout;
 
 use super::Display;
 use super::clock::Clock;
+use super::layout::Layout;
 use crate::machine::{Button, Event, Key, Look, Modifier, Session};
 use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
 use keys::Stroke;
-use layout::Layout;
 use std::convert::Infallible;
 use std::fmt;
 use std::num::NonZeroU32;

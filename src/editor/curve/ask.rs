@@ -3,7 +3,7 @@
 use super::degree::{Chosen, ask_b_spline};
 use crate::editor::values::K0;
 use crate::file::Method;
-use crate::machine::{Asked, Key, Language, Manner, Stop};
+use crate::machine::{Asked, Key, Language, Manner, Request, Stop};
 use crate::screen::Screen;
 use crate::ui::words::{self, Words};
 use crate::ui::{
@@ -92,8 +92,10 @@ pub(super) async fn ask_method(desk: &mut Desk<'_>, picture: &dyn Picture) -> As
             ARCS.draw(screen, language);
         }
     });
+    let last = if today { '5' } else { '4' };
     loop {
-        let tick = desk.event(&over).await?;
+        let keys = Request::Keys(('1'..=last).map(Key::Char).collect());
+        let tick = desk.event_asked(&over, keys).await?;
         let buttons = METHODS.iter().chain(today.then_some(&ARCS));
         let clicked = tick.click().and_then(|(x, y)| buttons.clone().find(|button| button.hit(x, y)));
         match clicked.map(|button| button.text.letter).or(tick.letter()) {

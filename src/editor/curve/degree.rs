@@ -4,7 +4,7 @@ use super::ask::ask_degree;
 use crate::design::{Sketch, USUAL_DEGREE};
 use crate::file::{KnotRule, Method};
 use crate::geometry::knots::DEGREES;
-use crate::machine::{Asked, Key, Language, Manner, Stop};
+use crate::machine::{Asked, Key, Language, Manner, Request, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Area, Desk, MIDDLE, Over, Picture, page};
@@ -70,7 +70,7 @@ pub(super) async fn ask_b_spline(desk: &mut Desk<'_>, picture: &dyn Picture) -> 
         }
     });
     loop {
-        let tick = desk.event(&over).await?;
+        let tick = desk.event_asked(&over, Request::Number).await?;
         let clicked = tick.click().and_then(|(x, y)| {
             DEGREES.into_iter().find(|&degree| Area::of_line(place(degree), 1).holds(x, y))
         });

@@ -7,7 +7,7 @@ use crate::design::{Index, Part};
 use crate::editor::Editor;
 use crate::editor::curve::ask::ask_degree;
 use crate::file::Method;
-use crate::machine::{Asked, Key, Language, Stop};
+use crate::machine::{Asked, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Words};
 use crate::ui::{
@@ -42,12 +42,11 @@ impl Editor<Nets, 3> {
                 return Ok([k, l]);
             }
             let active = digits.len();
-            let tick = desk
-                .event(&|screen: &mut Screen, language: Language| {
-                    self.draw(screen, language);
-                    draw_digits(screen, &digits, language);
-                })
-                .await?;
+            let typing = |screen: &mut Screen, language: Language| {
+                self.draw(screen, language);
+                draw_digits(screen, &digits, language);
+            };
+            let tick = desk.event_asked(&typing, Request::Number).await?;
             if tick.pressed(Key::Esc) {
                 return Err(Stop::Cancelled);
             }

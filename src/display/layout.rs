@@ -18,9 +18,9 @@ pub(super) struct Layout {
     pub(super) window: (usize, usize),
     look: Look,
     /// Width and height of the picture as it is shown.
-    shown: (usize, usize),
+    pub(super) shown: (usize, usize),
     /// Left and upper edge of the picture.
-    corner: (usize, usize),
+    pub(super) corner: (usize, usize),
 }
 
 impl Layout {
@@ -46,6 +46,7 @@ impl Layout {
     }
 
     /// Whether a point lies in the window.
+    #[cfg(feature = "window")]
     pub(super) fn holds(&self, x: f64, y: f64) -> bool {
         x >= 0.0 && y >= 0.0 && x < self.window.0 as f64 && y < self.window.1 as f64
     }
