@@ -207,7 +207,7 @@ impl Starter {
         let start = [b"\"", here, &way[..], b"\"", self.argument().as_bytes(), b" %*\r\n"].concat();
         match start.is_ascii() {
             true => [b"@", &start[..]].concat(),
-            false => [UTF_8[0].as_bytes(), &start, UTF_8[1].as_bytes()].concat(),
+            false => [UTF_8[0], &start, UTF_8[1]].concat(),
         }
     }
 
@@ -219,9 +219,9 @@ impl Starter {
 
 /// What stands in a script of cmd before and behind a line with letters outside ASCII. The line of `chcp` ends with the number
 /// in any language.
-const UTF_8: [&str; 2] = [
-    "@echo off\r\nsetlocal\r\nfor /f \"tokens=2 delims=:.\" %%p in ('chcp') do set page=%%p\r\nchcp 65001 >nul\r\n",
-    "set status=%errorlevel%\r\nchcp %page% >nul\r\nexit /b %status%\r\n",
+const UTF_8: [&[u8]; 2] = [
+    b"@echo off\r\nsetlocal\r\nfor /f \"tokens=2 delims=:.\" %%p in ('chcp') do set page=%%p\r\nchcp 65001 >nul\r\n",
+    b"set status=%errorlevel%\r\nchcp %page% >nul\r\nexit /b %status%\r\n",
 ];
 
 /// Whether a path leads from the script's own folder.
