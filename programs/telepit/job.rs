@@ -224,7 +224,14 @@ impl Job {
         if linked {
             return Ok(());
         }
-        self.journal.write(path, &starter.script(self.system), Executable::Yes)
+        self.journal.write(path, &self.script(starter, path), Executable::Yes)
+    }
+
+    /// The script at a path, whose folder is there already.
+    fn script(&self, starter: &Starter, path: &Path) -> Vec<u8> {
+        let folder = path.parent().unwrap_or(&self.root);
+        let folder = dunce::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
+        starter.script(self.system, &folder)
     }
 
     fn place(&self, entry: &Entry, path: &Path) -> io::Result<Place> {
@@ -246,7 +253,7 @@ impl Job {
             What::Starter(starter) => {
                 // In the folder of the executable itself.
                 let same = |path: &Path| std::fs::canonicalize(path).ok();
-                holds(&starter.script(self.system))
+                holds(&self.script(starter, path))
                     || starter.executable.is_absolute()
                         && same(path).is_some_and(|place| same(&starter.executable) == Some(place))
             }
@@ -372,7 +379,9 @@ mod tests {
             assert_eq!(run(&mut job, Answer::No).unwrap().0.written, written);
         }
         let script = fs::read_to_string(root.join("KURZOR/vjs.cmd")).unwrap();
-        assert_eq!(script, "@\"/bin/echo\" vjs %*\r\n");
+        // From the folder up to the root of all.
+        let up = "..\\".repeat(fs::canonicalize(&root).unwrap().components().count());
+        assert_eq!(script, format!("@\"%~dp0{up}bin\\echo\" vjs %*\r\n"));
         fs::remove_dir_all(root).unwrap();
     }
 
@@ -382,7 +391,7 @@ mod tests {
         let root = scratch("sh");
         let starter = Starter { executable: "/bin/echo".into(), program: Some("vjs") };
         let path = root.join("vjs");
-        fs::write(&path, starter.script(System::Unix)).unwrap();
+        fs::write(&path, starter.script(System::Unix, &root)).unwrap();
         let told = std::process::Command::new("sh").arg(&path).args(["a b", "c"]).output().unwrap();
         assert_eq!(told.stdout, b"vjs a b c\n");
         fs::remove_dir_all(root).unwrap();

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 /// The executable of a name beside this one, if it exists.
 pub(crate) fn executable(name: &str) -> Option<PathBuf> {
-    // Links are resolved: the other executables lie beside the target.
+    // Links are resolved: the other executables lie beside the target. On Windows the standard library would give a path
+    // that begins with `\\?\`, which cmd does not start.
     let here = std::env::current_exe().ok()?;
-    let here = std::fs::canonicalize(&here).unwrap_or(here);
+    let here = dunce::canonicalize(&here).unwrap_or(here);
     let beside = here.parent()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
     beside.is_file().then_some(beside)
 }

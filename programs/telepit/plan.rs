@@ -176,27 +176,57 @@ impl System {
 }
 
 impl Starter {
-    /// The script that starts the program, for systems or disks without links.
-    pub(crate) fn script(&self, system: System) -> Vec<u8> {
-        let executable = self.executable.as_os_str().as_encoded_bytes();
-        let program = self.program.map(|name| format!(" {name}")).unwrap_or_default();
-        // What is beside the script is found from there.
-        let beside = !self.executable.is_absolute() && !executable.starts_with(b"/");
+    /// The script in a folder that starts the program, for systems or disks without links.
+    pub(crate) fn script(&self, system: System, folder: &Path) -> Vec<u8> {
         match system {
-            System::Unix => {
-                let quoted = replaced(executable, b'\'', b"'\\''");
-                let here: &[u8] = if beside { b"\"$(dirname -- \"$0\")\"/" } else { b"" };
-                [b"#!/bin/sh\nexec ", here, b"'", &quoted[..], b"'", program.as_bytes(), b" \"$@\"\n"]
-                    .concat()
-            }
-            System::Windows => {
-                let quoted = replaced(executable, b'%', b"%%");
-                let quoted = if beside { replaced(&quoted, b'/', b"\\") } else { quoted };
-                let here: &[u8] = if beside { b"%~dp0" } else { b"" };
-                [b"@\"", here, &quoted[..], b"\"", program.as_bytes(), b" %*\r\n"].concat()
-            }
+            System::Unix => self.script_of_sh(),
+            System::Windows => self.script_of_cmd(folder),
         }
     }
+
+    fn script_of_sh(&self) -> Vec<u8> {
+        let quoted = replaced(self.executable.as_os_str().as_encoded_bytes(), b'\'', b"'\\''");
+        let here: &[u8] = if is_beside(&self.executable) { b"\"$(dirname -- \"$0\")\"/" } else { b"" };
+        [b"#!/bin/sh\nexec ", here, b"'", &quoted[..], b"'", self.argument().as_bytes(), b" \"$@\"\n"]
+            .concat()
+    }
+
+    /// The way to the executable from the script's own folder if there is one: what lies above both may be called anything,
+    /// and cmd reads the script in the code page of its console. A name outside ASCII that remains is read in the code
+    /// page of UTF-8, and the console has its own again at the end.
+    fn script_of_cmd(&self, folder: &Path) -> Vec<u8> {
+        let way = match is_beside(&self.executable) {
+            true => Some(self.executable.clone()),
+            false => pathdiff::diff_paths(&self.executable, folder).filter(|way| is_beside(way)),
+        };
+        let (here, way): (&[u8], _) = match &way {
+            Some(way) => (b"%~dp0", replaced(way.as_os_str().as_encoded_bytes(), b'/', b"\\")),
+            None => (b"", self.executable.as_os_str().as_encoded_bytes().to_vec()),
+        };
+        let way = replaced(&way, b'%', b"%%");
+        let start = [b"\"", here, &way[..], b"\"", self.argument().as_bytes(), b" %*\r\n"].concat();
+        match start.is_ascii() {
+            true => [b"@", &start[..]].concat(),
+            false => [UTF_8[0], &start, UTF_8[1]].concat(),
+        }
+    }
+
+    /// The name of the program for `grafika`, behind a blank.
+    fn argument(&self) -> String {
+        self.program.map(|name| format!(" {name}")).unwrap_or_default()
+    }
+}
+
+/// What stands in a script of cmd before and behind a line with letters outside ASCII. The line of `chcp` ends with the number
+/// in any language.
+const UTF_8: [&[u8]; 2] = [
+    b"@echo off\r\nsetlocal\r\nfor /f \"tokens=2 delims=:.\" %%p in ('chcp') do set page=%%p\r\nchcp 65001 >nul\r\n",
+    b"set status=%errorlevel%\r\nchcp %page% >nul\r\nexit /b %status%\r\n",
+];
+
+/// Whether a path leads from the script's own folder.
+fn is_beside(path: &Path) -> bool {
+    !path.is_absolute() && !path.as_os_str().as_encoded_bytes().starts_with(b"/")
 }
 
 /// Bytes with one of them replaced by others.
@@ -292,12 +322,30 @@ mod tests {
     #[test]
     fn scripts_quote_any_path() {
         let starter = Starter { executable: "/it's 100%/grafika".into(), program: Some("vjs") };
-        let text = |system| String::from_utf8(starter.script(system)).unwrap();
-        assert_eq!(text(System::Unix), "#!/bin/sh\nexec '/it'\\''s 100%/grafika' vjs \"$@\"\n");
-        assert_eq!(text(System::Windows), "@\"/it's 100%%/grafika\" vjs %*\r\n");
+        let text = |starter: &Starter, system| {
+            String::from_utf8(starter.script(system, Path::new("/home/me/GB_2D"))).unwrap()
+        };
+        assert_eq!(text(&starter, System::Unix), "#!/bin/sh\nexec '/it'\\''s 100%/grafika' vjs \"$@\"\n");
+        assert_eq!(text(&starter, System::Windows), "@\"%~dp0..\\..\\..\\it's 100%%\\grafika\" vjs %*\r\n");
         let beside = Starter { executable: "../grafika".into(), program: Some("vjs") };
-        let text = |system| String::from_utf8(beside.script(system)).unwrap();
-        assert_eq!(text(System::Unix), "#!/bin/sh\nexec \"$(dirname -- \"$0\")\"/'../grafika' vjs \"$@\"\n");
-        assert_eq!(text(System::Windows), "@\"%~dp0..\\grafika\" vjs %*\r\n");
+        assert_eq!(
+            text(&beside, System::Unix),
+            "#!/bin/sh\nexec \"$(dirname -- \"$0\")\"/'../grafika' vjs \"$@\"\n"
+        );
+        assert_eq!(text(&beside, System::Windows), "@\"%~dp0..\\grafika\" vjs %*\r\n");
+    }
+
+    #[test]
+    fn a_script_of_cmd_is_ascii_or_says_that_it_is_utf_8() {
+        let text = |folder: &str, executable: &str| {
+            let starter = Starter { executable: executable.into(), program: None };
+            String::from_utf8(starter.script(System::Windows, Path::new(folder))).unwrap()
+        };
+        // The names above both are not in the script.
+        assert_eq!(text("/Jánoš/grafika", "/Jánoš/bin/grafika"), "@\"%~dp0..\\bin\\grafika\" %*\r\n");
+        let other = text("/Jánoš/grafika", "/Jánoš/Letöltések/grafika");
+        assert!(other.contains("\r\nchcp 65001 >nul\r\n\"%~dp0..\\Letöltések\\grafika\" %*\r\n"), "{other}");
+        assert!(other.starts_with("@echo off") && other.ends_with("exit /b %status%\r\n"), "{other}");
+        assert!(other.split("\r\n").all(|line| !line.contains('\n')));
     }
 }

@@ -32,23 +32,28 @@ fn system(name: &str, error: &io::Error) -> StorageError {
     StorageError { name: name.to_string(), problem: StorageProblem::System(reason(error)) }
 }
 
+/// What is read under a name that no file has.
+fn not_here(name: &str) -> Result<Vec<u8>, StorageError> {
+    check_name(name).and_then(|()| sample_or_not_found(name))
+}
+
 impl Storage for Folder {
     fn read(&self, name: &str) -> Result<Vec<u8>, StorageError> {
-        check_name(name)?;
-        let Some(found) = self.find(name) else { return sample_or_not_found(name) };
+        let Some(found) = self.find(name) else { return not_here(name) };
         let path = self.path.join(found);
         read_regular(&path).map_err(|error| system(name, &error))
     }
 
     fn stream(&self, name: &str) -> Result<Stream, StorageError> {
-        check_name(name)?;
-        let Some(found) = self.find(name) else { return sample_or_not_found(name).map(Stream::from) };
+        let Some(found) = self.find(name) else { return not_here(name).map(Stream::from) };
         open_regular(&self.path.join(found)).map_err(|error| system(name, &error))
     }
 
     fn write(&mut self, name: &str, content: &[u8]) -> Result<(), StorageError> {
-        check_name(name)?;
-        let stored = self.find(name).unwrap_or_else(|| name.to_string());
+        let stored = match self.find(name) {
+            Some(stored) => stored,
+            None => check_name(name).map(|()| name.to_string())?,
+        };
         let path = self.path.join(stored);
         if fs::metadata(&path).is_ok_and(|about| is_special(&about)) {
             is_open_for_reading(&path).map_err(|error| system(name, &error))?;
@@ -57,10 +62,13 @@ impl Storage for Folder {
     }
 
     fn find(&self, name: &str) -> Option<String> {
-        let exact = self.path.join(name);
         let is_there = |path: &Path| path.exists() && !path.is_dir();
-        if check_name(name).is_ok() && is_there(&exact) {
-            return Some(name.to_string());
+        match check_name(name) {
+            Ok(()) if is_there(&self.path.join(name)) => return Some(name.to_string()),
+            // Such a name would not be that of the file, even if there is one.
+            Err(_) if cfg!(windows) => return None,
+            // Where such a file can be, it can be read.
+            _ => {}
         }
         let entries = fs::read_dir(&self.path).ok()?;
         let names = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok());
@@ -118,6 +126,28 @@ mod tests {
         assert!(Folder::new(missing).write("A.IP2", b"new").is_err());
         assert_eq!(folder.read("A.IP2").unwrap(), b"old");
         assert_eq!(fs::read_dir(&path).unwrap().count(), 2);
+        fs::remove_dir_all(path).unwrap();
+    }
+
+    #[test]
+    fn a_name_that_windows_cannot_hold_is_read_and_not_made() {
+        let path = scratch("names");
+        let mut folder = Folder::new(&path);
+        for name in ["a:b.ip2", "C:x", "NUL", "a.ip2.", "..", "a/b"] {
+            assert!(
+                folder.write(name, b"new").unwrap_err().to_string().contains("is no file name"),
+                "{name}"
+            );
+            assert!(folder.read(name).is_err() && folder.find(name).is_none(), "{name}");
+        }
+        assert_eq!(fs::read_dir(&path).unwrap().count(), 0);
+        #[cfg(unix)]
+        {
+            fs::write(path.join("a:b.ip2"), b"old").unwrap();
+            assert_eq!(folder.read("A:B.IP2").unwrap(), b"old");
+            folder.write("a:b.ip2", b"new").unwrap();
+            assert_eq!(folder.read("a:b.ip2").unwrap(), b"new");
+        }
         fs::remove_dir_all(path).unwrap();
     }
 

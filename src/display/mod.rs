@@ -1,4 +1,5 @@
-//! Where a session is shown: a window, a terminal, or the canvas of a browser.
+//! Where a session is shown: a window, a terminal, or the canvas of a browser. A second, smaller window (`minifb`) is for
+//! systems where the usual one does not build.
 //!
 //! A display provides what only the system can: a clock, keys, a mouse and a surface to paint on. It knows nothing of
 //! what a program draws, and programs know nothing of it. All displays share [`Display::step`]. The terminal calls it
@@ -6,14 +7,21 @@
 
 #[cfg(feature = "web")]
 pub mod canvas;
-#[cfg(any(feature = "window", feature = "terminal"))]
+#[cfg(any(feature = "window", feature = "terminal", feature = "minifb"))]
 mod clock;
-#[cfg(any(feature = "window", feature = "web"))]
+#[cfg(any(feature = "window", feature = "minifb"))]
+mod desktop;
+#[cfg(any(feature = "window", feature = "minifb", feature = "web"))]
 mod layout;
+#[cfg(feature = "minifb")]
+pub mod minifb;
 #[cfg(feature = "terminal")]
 pub mod terminal;
 #[cfg(feature = "window")]
 pub mod window;
+
+#[cfg(any(feature = "window", feature = "minifb"))]
+pub use desktop::{LARGEST_SCALE, WindowError, window_possible};
 
 use crate::machine::Session;
 use std::time::Duration;

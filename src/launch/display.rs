@@ -3,8 +3,12 @@
 use super::outlet::Disk;
 use super::{DisplayKind, Failure, RunOptions};
 use crate::disk::{create, read_limited, read_stream, reason, text};
+#[cfg(feature = "minifb")]
+use crate::display::minifb;
 #[cfg(feature = "window")]
 use crate::display::window;
+#[cfg(any(feature = "window", feature = "minifb"))]
+use crate::display::{WindowError, window_possible};
 use crate::machine::{Recorder, Script, Session, play};
 use std::io::IsTerminal;
 use std::path::Path;
@@ -42,13 +46,9 @@ pub fn has_terminal() -> bool {
 /// Whether a session with these options is shown in a terminal and not recorded, so that pages of text can replace
 /// pictures.
 pub fn in_terminal(options: &RunOptions) -> bool {
-    #[cfg(feature = "window")]
-    let window = window::window_possible();
-    #[cfg(not(feature = "window"))]
-    let window = false;
     let wished = match options.display {
         Some(kind) => kind == DisplayKind::Terminal,
-        None => !window,
+        None => window_kind().is_none(),
     };
     has_terminal() && wished && options.script.is_none() && options.record.is_none()
 }
@@ -72,6 +72,15 @@ pub(super) fn read_script(path: &Path) -> Result<Script, Failure> {
     Script::parse(&text).map_err(|error| Failure::usage(format!("{shown}: {error}")))
 }
 
+/// The window that is opened where none is asked for, if there is a desktop and this build has one.
+fn window_kind() -> Option<DisplayKind> {
+    #[cfg(any(feature = "window", feature = "minifb"))]
+    if window_possible() {
+        return Some(if cfg!(feature = "window") { DisplayKind::Window } else { DisplayKind::Minifb });
+    }
+    None
+}
+
 /// Shows a session in a window, or in the terminal where none can be opened.
 fn live(
     session: &mut Session,
@@ -79,20 +88,50 @@ fn live(
     wish: Option<DisplayKind>,
     options: &RunOptions,
 ) -> Result<(), Failure> {
-    #[cfg(feature = "window")]
-    if wish == Some(DisplayKind::Window) || (wish.is_none() && window::window_possible()) {
-        let options =
-            crate::display::window::WindowOptions { title: name.to_uppercase(), scale: options.scale };
-        match window::run(session, &options) {
+    let kind = wish.or_else(window_kind);
+    #[cfg(any(feature = "window", feature = "minifb"))]
+    {
+        #[cfg(windows)]
+        if matches!(kind, Some(DisplayKind::Window | DisplayKind::Minifb)) {
+            super::console::let_go();
+        }
+        let title = name.to_uppercase();
+        let shown = match kind {
+            #[cfg(feature = "window")]
+            Some(DisplayKind::Window) => {
+                let options = window::WindowOptions { title, scale: options.scale };
+                Some(window::run(session, &options))
+            }
+            #[cfg(feature = "minifb")]
+            Some(DisplayKind::Minifb) => {
+                Some(minifb::run(session, &title, options.scale).map(|end| tell(end, name)))
+            }
+            _ => None,
+        };
+        match shown {
             // Fall back to the terminal unless a window was asked for.
-            Err(window::WindowError::Open(_)) if wish.is_none() && cfg!(feature = "terminal") => {}
-            shown => return shown.map_err(Failure::work),
+            Some(Err(WindowError::Open(_))) if wish.is_none() && cfg!(feature = "terminal") => {}
+            Some(shown) => return shown.map_err(Failure::work),
+            None => {}
         }
     }
     #[cfg(feature = "terminal")]
-    if wish != Some(DisplayKind::Window) {
+    if wish.is_none() || kind == Some(DisplayKind::Terminal) {
         return Ok(crate::display::terminal::run(session)?);
     }
-    let _ = (session, name, wish, options);
-    Err(Failure::work("this build has no such display; play a script with --script FILE"))
+    let _ = (session, name, options);
+    Err(Failure::work(match kind {
+        Some(DisplayKind::Minifb) => {
+            "this build has no display by minifb; one that is built with --features minifb has it"
+        }
+        _ => "this build has no such display; play a script with --script FILE",
+    }))
+}
+
+/// Says what becomes of work that a closed window has left.
+#[cfg(feature = "minifb")]
+fn tell(end: minifb::End, name: &str) {
+    if end == minifb::End::Closed {
+        super::say(name, "the window was closed; what was not saved is kept, and the next start offers it");
+    }
 }

@@ -41,9 +41,13 @@ pub(super) fn usual() -> Language {
 
 /// Hungarian where the locale says so, English elsewhere.
 pub(super) fn locale() -> Language {
+    of_locale(|name| std::env::var(name).ok(), system_locale)
+}
+
+fn of_locale(variable: impl Fn(&str) -> Option<String>, system: impl FnOnce() -> Option<String>) -> Language {
     let variables = ["LC_ALL", "LC_MESSAGES", "LANG"];
-    let named = variables.into_iter().filter_map(|name| std::env::var(name).ok()).find(|set| !set.is_empty());
-    match named.or_else(system_locale) {
+    let named = variables.into_iter().filter_map(variable).find(|set| !set.is_empty());
+    match named.or_else(system) {
         Some(locale) if locale.to_ascii_lowercase().starts_with("hu") => Language::Hungarian,
         _ => Language::English,
     }
@@ -189,6 +193,20 @@ mod tests {
         ] {
             assert_eq!(asked(words(line)), language, "{line}");
         }
+    }
+
+    #[test]
+    fn the_system_is_asked_where_no_variable_is_set() {
+        let of = |set: &[(&str, &str)], system: Option<&str>| {
+            let variable =
+                |name: &str| set.iter().find(|(known, _)| *known == name).map(|(_, it)| (*it).to_owned());
+            of_locale(variable, || system.map(str::to_owned))
+        };
+        assert_eq!(of(&[], Some("hu-HU")), Language::Hungarian);
+        assert_eq!(of(&[("LC_ALL", ""), ("LANG", "")], Some("hu_HU")), Language::Hungarian);
+        assert_eq!(of(&[("LANG", "en_US.UTF-8")], Some("hu-HU")), Language::English);
+        assert_eq!(of(&[("LANG", "C"), ("LC_MESSAGES", "hu_HU.UTF-8")], None), Language::Hungarian);
+        assert_eq!(of(&[], None), Language::English);
     }
 
     #[test]

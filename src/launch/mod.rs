@@ -6,6 +6,8 @@
 mod cloud;
 mod completions;
 mod config;
+#[cfg(any(windows, test))]
+mod console;
 mod display;
 mod failure;
 mod install;

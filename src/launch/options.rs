@@ -15,6 +15,8 @@ pub enum DisplayKind {
     Window,
     /// In the terminal.
     Terminal,
+    /// In a window by the library minifb, in builds that have it.
+    Minifb,
     /// Nowhere; only useful with a script.
     None,
 }

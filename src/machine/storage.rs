@@ -93,7 +93,8 @@ pub trait Storage {
     }
 }
 
-/// Checks that a name is a plain file name, as every storage has to.
+/// Checks that a name is a plain file name, as every storage has to. What one system cannot hold is refused on all, so that
+/// a folder can be taken from one to another; on Windows some of these names would even lead out of the folder.
 ///
 /// # Errors
 /// [`StorageError`] with what is wrong with it.
@@ -108,10 +109,30 @@ pub fn check_name(name: &str) -> Result<(), StorageError> {
         "it stands for a folder"
     } else if name.chars().any(char::is_control) {
         "it contains a control character"
+    } else if name.contains([':', '*', '?', '"', '<', '>', '|']) {
+        "it contains one of : * ? \" < > |, which Windows cannot hold"
+    } else if name.ends_with(['.', ' ']) {
+        "it ends with a dot or a blank, which Windows takes off"
+    } else if is_device(name) {
+        "it stands for a device on Windows, whatever its extension"
     } else {
         return Ok(());
     };
     Err(StorageError { name: name.to_string(), problem: StorageProblem::BadName(why) })
+}
+
+/// Whether Windows takes a name for that of a device: `NUL`, `com1`, `CON.IP2`, `AUX .TXT`.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().trim_end().to_uppercase();
+    let numbered = |device: &str| {
+        let number = stem.strip_prefix(device);
+        // The digits 1 to 3 count written high, too.
+        number.is_some_and(|number| {
+            number.chars().count() == 1 && number.contains(|ch: char| "0123456789¹²³".contains(ch))
+        })
+    };
+    ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"].contains(&stem.as_str())
+        || ["COM", "LPT"].into_iter().any(numbered)
 }
 
 /// The first name `PROGRAM-1.EXTENSION`, `PROGRAM-2.EXTENSION`, ... that no file has.
@@ -208,6 +229,29 @@ mod tests {
         for name in ["", "a/b", "..", "a\\b", "a\nb", &"x".repeat(300)] {
             let message = memory.write(name, b"").unwrap_err().to_string();
             assert!(message.contains("is no file name"), "{message}");
+        }
+        let windows = [
+            "a:b",
+            "C:x",
+            "what?.ip2",
+            "*",
+            "a\"b",
+            "<a>",
+            "a|b",
+            "a.",
+            "a.ip2 ",
+            "NUL",
+            "con.ip2",
+            "Com1.txt.ip2",
+        ];
+        for name in windows.into_iter().chain(["lpt¹", "AUX .IP2", "conin$"]) {
+            let message = memory.write(name, b"").unwrap_err().to_string();
+            assert!(message.contains("Windows"), "{message}");
+        }
+        for name in
+            ["CONE.IP2", "COM.IP2", "COM10", "NULL", ".ip2", "a b.ip2", "ő.ip2", "LPTX", "AUXILIARY.JSON"]
+        {
+            assert_eq!(memory.write(name, b""), Ok(()), "{name}");
         }
         assert_eq!(memory.read("NOFILE.IP2").unwrap_err().to_string(), "NOFILE.IP2: there is no such file");
     }

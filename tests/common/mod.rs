@@ -2,8 +2,11 @@
 
 #![allow(dead_code, reason = "every test file uses its own part of this")]
 
+#[cfg(target_os = "linux")]
+pub(crate) mod desktop;
 #[cfg(feature = "native")]
 pub(crate) mod folder;
+pub(crate) mod needs;
 pub(crate) mod pictures;
 pub(crate) mod random;
 pub(crate) mod reference;

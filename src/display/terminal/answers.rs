@@ -48,6 +48,19 @@ impl Answers {
         answers
     }
 
+    /// The same where answers come as keys that are typed, as in the console of Windows. Some versions of it lose the Esc that
+    /// begins an answer, so that it is put where the answers to [`QUESTIONS`] begin and end.
+    #[cfg_attr(unix, allow(dead_code, reason = "consoles of Windows answer so"))]
+    pub(super) fn typed(keys: &str) -> Answers {
+        if keys.contains('\x1b') {
+            return Answers::read(keys.as_bytes());
+        }
+        let begun = ["[?", "[4;", "[6;", "P>|", "_G", "\\"]
+            .iter()
+            .fold(keys.to_owned(), |keys, begin| keys.replace(begin, &format!("\x1b{begin}")));
+        Answers::read(begun.as_bytes())
+    }
+
     fn control(&mut self, control: &str) {
         let Some(end) = control.find(|ch: char| ('\x40'..='\x7e').contains(&ch)) else { return };
         let (parameters, rest) = control.split_at(end);
@@ -124,6 +137,20 @@ mod tests {
         assert!(foot.sixel && !foot.kitty && !foot.pixel_mouse);
         assert_eq!(foot.extent(100, 30, (0, 0)).cell, Some((10, 20)));
         assert_eq!(foot.extent(100, 30, (900, 540)).cell, Some((9, 18)));
+    }
+
+    #[test]
+    fn answers_that_are_typed_are_the_same() {
+        for terminal in [
+            "\x1b[6;20;10t\x1b[?61;4;6;7;14;21;22;23;24;28;32;42c",
+            "\x1b_Gi=31;OK\x1b\\\x1b[?1016;2$y\x1b[4;600;1000t\x1bP>|WezTerm 2025\x1b\\\x1b[?65;4c",
+            "x\x1b[?1;0c",
+            "abc",
+        ] {
+            let answers = Answers::read(terminal.as_bytes());
+            assert_eq!(Answers::typed(terminal), answers);
+            assert_eq!(Answers::typed(&terminal.replace('\x1b', "")), answers);
+        }
     }
 
     #[test]

@@ -19,7 +19,6 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// How long a terminal may take to answer; any that answers at all takes far less, but for a slow line.
-#[cfg(unix)]
 const PATIENCE: Duration = Duration::from_millis(800);
 
 /// Starts and stops a frame that is shown at once.
@@ -347,13 +346,33 @@ fn ask() -> Result<Answers, TerminalError> {
     }
 }
 
-#[cfg(unix)]
 fn with_text(answers: Answers) -> Answers {
     terminal::size().map_or(answers, |(columns, rows)| answers.with_text_of(columns, rows))
 }
 
+/// The same where answers come as keys that are typed.
 #[cfg(not(unix))]
 fn ask() -> Result<Answers, TerminalError> {
-    let _ = QUESTIONS;
-    Ok(Answers::default())
+    use crossterm::event::{KeyCode, KeyEventKind, poll, read};
+    // A console of old would show the questions.
+    #[cfg(windows)]
+    if !crossterm::ansi_support::supports_ansi() {
+        return Ok(Answers::default());
+    }
+    io::stdout().write_all(QUESTIONS)?;
+    io::stdout().flush()?;
+    let end = Instant::now() + PATIENCE;
+    let mut typed = String::new();
+    while !Answers::typed(&typed).complete && poll(end.saturating_duration_since(Instant::now()))? {
+        match read()? {
+            Event::Key(key) if key.kind == KeyEventKind::Release => {}
+            Event::Key(key) => typed.extend(match key.code {
+                KeyCode::Esc => Some('\x1b'),
+                KeyCode::Char(typed) => Some(typed),
+                _ => None,
+            }),
+            _ => {}
+        }
+    }
+    Ok(with_text(Answers::typed(&typed)))
 }

@@ -67,9 +67,34 @@ fn find<A: PartialEq, B: Copy>(table: &[(A, B)], wanted: &A) -> Option<B> {
     table.iter().find(|(known, _)| known == wanted).map(|&(_, found)| found)
 }
 
+/// The key that a system gives commands with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CommandKey {
+    Ctrl,
+    /// Cmd, as well as Ctrl.
+    Cmd,
+}
+
+impl CommandKey {
+    /// The one of this system.
+    pub(super) const HERE: CommandKey =
+        if cfg!(target_os = "macos") { CommandKey::Cmd } else { CommandKey::Ctrl };
+
+    /// Whether Cmd is held, where there is one.
+    fn cmd(self, modifiers: ModifiersState) -> bool {
+        self == CommandKey::Cmd && modifiers.super_key()
+    }
+
+    /// Whether a key for commands is held, be it with others.
+    pub(super) fn is_held(self, modifiers: ModifiersState) -> bool {
+        modifiers.control_key() || self.cmd(modifiers)
+    }
+}
+
 /// A key press or repeat.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
+    pub(super) command: CommandKey,
     pub(super) logical: Logical,
     pub(super) physical: PhysicalKey,
     pub(super) text: Option<SmolStr>,
@@ -82,6 +107,7 @@ impl Stroke {
     pub(super) fn keys(&self) -> Vec<Key> {
         // Some systems report AltGr, which types characters, as Ctrl and Alt together.
         let ctrl = self.modifiers.control_key() && !self.modifiers.alt_key();
+        let ctrl = ctrl || self.command.cmd(self.modifiers);
         let named = match &self.logical {
             Logical::Named(name) => find(&NAMED, name),
             _ => None,
@@ -102,6 +128,11 @@ impl Stroke {
         typed.filter(|typed| !typed.is_control()).map(Key::Char).collect()
     }
 
+    /// Whether the stroke closes a window on this system: Cmd+Q and Cmd+W. Elsewhere the desktop tells by itself.
+    pub(super) fn closes(&self) -> bool {
+        self.command.cmd(self.modifiers) && matches!(self.letter(), Some('Q' | 'W'))
+    }
+
     /// The letter or digit of a key held with Ctrl, in upper case.
     fn letter(&self) -> Option<char> {
         let own = match &self.logical {
@@ -120,9 +151,19 @@ impl Stroke {
 mod tests {
     use super::*;
 
-    fn keys(logical: Logical, code: KeyCode, text: &str, modifiers: ModifiersState) -> Vec<Key> {
+    fn stroke(
+        command: CommandKey,
+        logical: Logical,
+        code: KeyCode,
+        text: &str,
+        modifiers: ModifiersState,
+    ) -> Stroke {
         let text = (!text.is_empty()).then(|| SmolStr::new(text));
-        Stroke { logical, physical: PhysicalKey::Code(code), text, modifiers }.keys()
+        Stroke { command, logical, physical: PhysicalKey::Code(code), text, modifiers }
+    }
+
+    fn keys(logical: Logical, code: KeyCode, text: &str, modifiers: ModifiersState) -> Vec<Key> {
+        stroke(CommandKey::Ctrl, logical, code, text, modifiers).keys()
     }
 
     fn character(text: &str) -> Logical {
@@ -156,5 +197,32 @@ mod tests {
         assert_eq!(keys(character("я"), KeyCode::KeyZ, "\u{1A}", CTRL), [Key::Ctrl('Z')]);
         assert_eq!(keys(character("1"), KeyCode::Digit1, "1", CTRL), [Key::Ctrl('1')]);
         assert_eq!(keys(character("-"), KeyCode::Minus, "-", CTRL), []);
+    }
+    #[test]
+    fn cmd_is_ctrl_on_a_mac_and_nothing_elsewhere() {
+        let cmd = ModifiersState::SUPER;
+        let on = |command, logical, code, text| stroke(command, logical, code, text, cmd);
+        let z = |command| on(command, character("z"), KeyCode::KeyZ, "z");
+        assert_eq!((z(CommandKey::Cmd).keys(), z(CommandKey::Ctrl).keys()), (vec![Key::Ctrl('Z')], vec![]));
+        let f12 = |command| on(command, Logical::Named(NamedKey::F12), KeyCode::F12, "").keys();
+        assert_eq!((f12(CommandKey::Cmd), f12(CommandKey::Ctrl)), (vec![Key::CtrlF(12)], vec![Key::F(12)]));
+        // Option types characters there, with Ctrl it is no AltGr.
+        let shift_cmd =
+            stroke(CommandKey::Cmd, character("Z"), KeyCode::KeyZ, "Z", cmd | ModifiersState::SHIFT);
+        assert_eq!(shift_cmd.keys(), [Key::Ctrl('Z')]);
+        assert!(
+            CommandKey::Cmd.is_held(cmd) && !CommandKey::Ctrl.is_held(cmd) && CommandKey::Ctrl.is_held(CTRL)
+        );
+    }
+
+    #[test]
+    fn cmd_q_and_cmd_w_close() {
+        let closes = |command, letter: &str, modifiers| {
+            stroke(command, character(letter), KeyCode::KeyA, letter, modifiers).closes()
+        };
+        let cmd = ModifiersState::SUPER;
+        assert!(closes(CommandKey::Cmd, "q", cmd) && closes(CommandKey::Cmd, "w", cmd));
+        assert!(!closes(CommandKey::Cmd, "e", cmd) && !closes(CommandKey::Cmd, "q", CTRL));
+        assert!(!closes(CommandKey::Ctrl, "q", cmd) && !closes(CommandKey::Cmd, "q", NONE));
     }
 }

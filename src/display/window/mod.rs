@@ -8,10 +8,11 @@ mod keys;
 
 use super::Display;
 use super::clock::Clock;
+use super::desktop::{LARGEST_SCALE, WindowError, checked_scale};
 use super::layout::Layout;
 use crate::machine::{Button, Event, Key, Look, Modifier, Session};
 use crate::screen::{Color, HEIGHT, Palette, Screen, WIDTH};
-use keys::Stroke;
+use keys::{CommandKey, Stroke};
 use std::convert::Infallible;
 use std::fmt;
 use std::num::NonZeroU32;
@@ -28,9 +29,6 @@ use winit::window::{Fullscreen, Icon, Window, WindowId};
 /// The key that fills the whole desktop and goes back; programs do not get it.
 pub const FULL_SCREEN_KEY: Key = Key::F(11);
 
-/// The largest scale that a window can be opened with: 16 is more than any desktop shows.
-pub const LARGEST_SCALE: u32 = 16;
-
 /// What a window is opened with.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct WindowOptions {
@@ -41,30 +39,9 @@ pub struct WindowOptions {
     pub scale: Option<u32>,
 }
 
-/// What can go wrong with a window.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum WindowError {
-    /// The scale is not 1 to [`LARGEST_SCALE`].
-    #[error("a window cannot be scaled by {0}; give a whole number from 1 to {LARGEST_SCALE}")]
-    Scale(u32),
-    /// No window could be opened; the system's own message.
-    #[error("no window could be opened ({0}); try the terminal display")]
-    Open(String),
-    /// The window could not be painted; the system's own message.
-    #[error("the window could not be painted ({0})")]
-    Paint(String),
-}
-
 /// Paints a window of a size with a picture in it, row by row as 0x00RRGGBB; `pixels` of another number are left alone.
 pub fn paint(picture: &Screen, look: Look, palette: Palette, size: (usize, usize), pixels: &mut [u32]) {
     Layout::of(size, look).paint(picture, palette, pixels);
-}
-
-/// Whether there is a desktop to open a window on: always on Windows and macOS, elsewhere when the
-/// environment names an X11 or Wayland display.
-pub fn window_possible() -> bool {
-    let named = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    cfg!(any(windows, target_os = "macos")) || named("DISPLAY") || named("WAYLAND_DISPLAY")
 }
 
 /// The connection to the desktop. A process can have one only, so that whoever shows several sessions
@@ -82,7 +59,7 @@ impl Desktop {
     pub fn connect() -> Result<Desktop, WindowError> {
         // The windowing library panics over a system library that is missing; that must not keep a
         // caller from showing the terminal instead.
-        let connected = std::panic::catch_unwind(EventLoop::new);
+        let connected = std::panic::catch_unwind(event_loop);
         match connected {
             Ok(Ok(events)) => Ok(Desktop { events }),
             Ok(Err(error)) => Err(WindowError::Open(reason(&error))),
@@ -96,9 +73,7 @@ impl Desktop {
     /// # Errors
     /// [`WindowError`] when the window cannot be opened or painted.
     pub fn run(&mut self, session: &mut Session, options: &WindowOptions) -> Result<(), WindowError> {
-        if let Some(scale) = options.scale.filter(|scale| !(1..=LARGEST_SCALE).contains(scale)) {
-            return Err(WindowError::Scale(scale));
-        }
+        checked_scale(options.scale)?;
         let display = self.events.owned_display_handle();
         let mut view = View::new(session, options, display);
         let ran = self.events.run_app_on_demand(&mut view);
@@ -107,6 +82,14 @@ impl Desktop {
             None => ran.map_err(|error| WindowError::Open(reason(&error))),
         }
     }
+}
+
+fn event_loop() -> Result<EventLoop<()>, winit::error::EventLoopError> {
+    let mut builder = EventLoop::builder();
+    // The library's menu would end the process at Cmd+Q without any question about unsaved work.
+    #[cfg(target_os = "macos")]
+    winit::platform::macos::EventLoopBuilderExtMacOS::with_default_menu(&mut builder, false);
+    builder.build()
 }
 
 /// Runs one session in a window: [`Desktop::connect`] and [`Desktop::run`].
@@ -261,9 +244,8 @@ impl<'s> View<'s> {
     /// Tells which modifiers are held.
     fn modify(&mut self, modifiers: ModifiersState) {
         self.modifiers = modifiers;
-        for (modifier, down) in
-            [(Modifier::Shift, modifiers.shift_key()), (Modifier::Ctrl, modifiers.control_key())]
-        {
+        let ctrl = CommandKey::HERE.is_held(modifiers);
+        for (modifier, down) in [(Modifier::Shift, modifiers.shift_key()), (Modifier::Ctrl, ctrl)] {
             if self.session.mouse().with(modifier) != down {
                 self.send(Event::Hold(modifier, down));
             }
@@ -303,6 +285,9 @@ impl<'s> View<'s> {
     }
 
     fn key(&mut self, stroke: &Stroke, repeated: bool) {
+        if stroke.closes() {
+            return self.send(Event::Close);
+        }
         for key in stroke.keys() {
             if key != FULL_SCREEN_KEY {
                 self.send(Event::Key(key));
@@ -333,6 +318,7 @@ impl<'s> View<'s> {
                 if event.state == ElementState::Pressed =>
             {
                 let stroke = Stroke {
+                    command: CommandKey::HERE,
                     logical: event.logical_key,
                     physical: event.physical_key,
                     text: event.text,
