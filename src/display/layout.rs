@@ -46,7 +46,7 @@ impl Layout {
     }
 
     /// Whether a point lies in the window.
-    #[cfg(feature = "window")]
+    #[cfg(any(feature = "window", feature = "minifb"))]
     pub(super) fn holds(&self, x: f64, y: f64) -> bool {
         x >= 0.0 && y >= 0.0 && x < self.window.0 as f64 && y < self.window.1 as f64
     }
