@@ -16,6 +16,7 @@ impl Clock {
     }
 
     /// The instant of a moment; `None` if it is beyond the range of [`Instant`].
+    #[cfg(any(feature = "window", feature = "terminal"))]
     pub(super) fn at(&self, moment: Duration) -> Option<Instant> {
         self.0.checked_add(moment)
     }
