@@ -44,6 +44,8 @@ fn digits(word: &str) -> Vec<Key> {
         [from, '-', to] if from.is_ascii_digit() && to.is_ascii_digit() => {
             (*from..=*to).map(Key::Char).collect()
         }
+        // Keys have names in capitals; "right" is a button of the mouse.
+        [first, _, ..] if first.is_lowercase() => Vec::new(),
         _ => Key::from_name(word).into_iter().collect(),
     }
 }

@@ -224,12 +224,6 @@ pub(super) fn straight(glyphs: Glyphs, arms: Arms) -> char {
 /// Which of the 2x4 parts of a cell a thin line passes: bit `2 * row + column`.
 pub(super) type Dots = u8;
 
-/// Whether dots are whole rows or a column, as of the rims of what stands beside the cell.
-pub(super) fn is_straight(dots: Dots) -> bool {
-    const LEFT: Dots = 0x55;
-    dots & LEFT == dots >> 1 & LEFT || dots == LEFT || dots == !LEFT
-}
-
 /// The character of a thin line.
 pub(super) fn line(glyphs: Glyphs, dots: Dots) -> char {
     if glyphs == Glyphs::Ascii {

@@ -225,13 +225,7 @@ impl Blocks {
                 let (ch, inverse) = glyphs::area(self.glyphs, area.mask(ground, (paper, ink)));
                 let (paper, ink) = if inverse { (ink, paper) } else { (paper, ink) };
                 match ch {
-                    ' ' => match area.dots(ground, ink) {
-                        // A thick slanted line is as wide as an area, but no quarter of the cell is full of it.
-                        dots if counts.has_much_of(ink) && !glyphs::is_straight(dots) => {
-                            Cell { ch: glyphs::line(self.glyphs, dots), ink, paper }
-                        }
-                        _ => Cell::blank(paper),
-                    },
+                    ' ' => Cell::blank(paper),
                     '█' => Cell::blank(ink),
                     _ => Cell { ch, ink, paper },
                 }
@@ -277,12 +271,6 @@ impl Counts {
             kinds[usize::from(index)] += 1;
         });
         counts
-    }
-
-    /// Whether areas of a colour take a good part of the cell.
-    fn has_much_of(&self, color: u8) -> bool {
-        let all = self.areas.iter().chain(&self.lines).sum::<u32>();
-        12 * self.areas[usize::from(color)] > all
     }
 
     /// The colour of a cell that has no other.
