@@ -88,6 +88,15 @@ impl Walk {
         ((value / whole) as i64, (value % whole) as i64)
     }
 
+    /// Whether all pixels lie on the screen, those at most `margin` away in the minor direction too.
+    fn is_inside(&self, sizes: (i64, i64), margin: i64) -> bool {
+        let majors = moves(self.start.0, self.sign.0, 0, sizes.0 - 1);
+        let minors = moves(self.start.1, self.sign.1, margin, sizes.1 - 1 - margin);
+        [(majors, self.major), (minors, self.minor)]
+            .iter()
+            .all(|(moves, length)| moves.contains(&0) && moves.contains(length))
+    }
+
     /// The steps whose pixels may lie on the screen: the major coordinate in `0..sizes.0` and the
     /// minor one at most `margin` outside of `0..sizes.1`.
     fn visible(&self, sizes: (i64, i64), margin: i64) -> Range<i64> {
@@ -115,12 +124,11 @@ impl Walk {
     /// Calls `plot` for every visible step with the number that dots are counted by, the minor
     /// coordinate, and the place of the pixel in memory.
     #[inline]
-    fn visit(&self, sizes: (i64, i64), pitch: (i64, i64), margin: i64, mut plot: impl FnMut(i64, i64, i64)) {
-        let steps = self.visible(sizes, margin);
+    fn visit(&self, steps: Range<i64>, pitch: (i64, i64), mut plot: impl FnMut(i64, i64, i64)) {
         if steps.is_empty() {
             return;
         }
-        let (shift, mut rest) = self.shift(steps.start);
+        let (shift, mut rest) = if steps.start == 0 { (0, self.major) } else { self.shift(steps.start) };
         let mut minor = self.start.1 + self.sign.1 * shift;
         let mut at = (self.start.0 + self.sign.0 * steps.start) * pitch.0 + minor * pitch.1;
         // Dots are counted by a coordinate of the screen on upright and level lines.
@@ -176,9 +184,45 @@ impl Screen {
         pitch: (i64, i64),
         stroke: Stroke,
     ) {
+        if stroke.pattern != Pattern::Solid || !walk.is_inside(sizes, HALF) {
+            return self.walk_clipped::<HALF>(walk, sizes, pitch, stroke);
+        }
+        // All pixels lie on the screen, as nearly always: those across are taken in one piece.
+        const ROW: usize = WIDTH as usize;
+        let color = stroke.color.index();
+        let pixels = &mut *self.pixels;
+        let across = 2 * HALF as usize;
+        let steps = 0..walk.major + 1;
+        if pitch.1 == 1 {
+            walk.visit(steps, pitch, |_, _, at| {
+                let first = usize::try_from(at - HALF).ok();
+                if let Some(row) = first.and_then(|first| pixels.get_mut(first..)?.get_mut(..=across)) {
+                    row.fill(color);
+                }
+            });
+        } else {
+            walk.visit(steps, pitch, |_, _, at| {
+                let first = usize::try_from(at - HALF * pitch.1).ok();
+                if let Some(rows) = first.and_then(|first| pixels.get_mut(first..)?.get_mut(..=across * ROW))
+                {
+                    rows.iter_mut().step_by(ROW).for_each(|pixel| *pixel = color);
+                }
+            });
+        }
+    }
+
+    /// Draws the visible steps of a line that leaves the screen, or is not drawn all.
+    fn walk_clipped<const HALF: i64>(
+        &mut self,
+        walk: &Walk,
+        sizes: (i64, i64),
+        pitch: (i64, i64),
+        stroke: Stroke,
+    ) {
         let color = stroke.color.index();
         let solid = stroke.pattern == Pattern::Solid;
-        walk.visit(sizes, pitch, HALF, |count, minor, at| {
+        let steps = walk.visible(sizes, HALF);
+        walk.visit(steps, pitch, |count, minor, at| {
             if solid || count & 2 == 0 {
                 for side in [-1, 0, 1] {
                     if i64::abs(side) <= HALF && (0..sizes.1).contains(&(minor + side)) {
