@@ -1,12 +1,16 @@
-//! Speed and growth of what is written for other programs: models of a net of 256 x 256 points, hidden lines, pictures with
+//! Speed and growth of what is written for other programs: models of a net of 256 x 256 points, tables, hidden lines, pictures with
 //! a label at every point, and the curve by all points as a picture. `docs/speed.md` says how these were measured.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use grafika::figure::{Axes, Figure, ModelFormat, ModelOptions, Style, surface_step, visible_lines};
+use grafika::figure::{
+    Axes, Figure, ModelFormat, ModelOptions, Style, TableFormat, surface_step, visible_lines, write_curve,
+};
 use grafika::geometry::{
-    Bezier, Closure, Grid, Method, ParamCurve, Point, Scheme, Smoothing, Surface, Topology, View, smooth,
+    Bezier, Closure, Curve, Grid, Method, ParamCurve, Point, Scheme, Smoothing, Surface, Topology, View,
+    samples, smooth,
 };
 use std::hint::black_box;
+use std::io::{BufWriter, sink};
 use std::time::Duration;
 
 /// Steps of a cell in a mesh, as `grafika render` takes them.
@@ -32,6 +36,36 @@ fn models(c: &mut Criterion) {
         group.bench_function(BenchmarkId::new("stl", side), |b| {
             b.iter(|| ModelFormat::Stl.encode(&[black_box(&surface)], &options));
         });
+        // As the command line writes them, without the file in memory.
+        for (name, format) in
+            [("stl", ModelFormat::Stl), ("obj", ModelFormat::Obj), ("ply", ModelFormat::Ply)]
+        {
+            group.bench_function(BenchmarkId::new(format!("{name}, row by row"), side), |b| {
+                b.iter(|| {
+                    let model = format.model(&[black_box(&surface)], &options).expect("it has an area");
+                    model.write(&mut BufWriter::with_capacity(1 << 16, sink()))
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+/// Rows of a sampled curve, as `grafika sample` writes them.
+fn tables(c: &mut Criterion) {
+    let mut group = c.benchmark_group("table");
+    let points: Vec<Point<2>> = (0..11).map(|i| [50.0 * i as f64, (i * i * 37 % 300) as f64]).collect();
+    let curve = Curve::through(Method::Spline, Closure::Open, &points).expect("good points");
+    for (name, format) in [("csv", TableFormat::Csv), ("json", TableFormat::Json)] {
+        for per_span in [10_000, 100_000] {
+            group.bench_function(BenchmarkId::new(name, 10 * per_span), |b| {
+                b.iter(|| {
+                    let rows = samples(black_box(&curve), per_span).expect("not too many");
+                    let rows = rows.map(|sample| (sample.span, sample.u, vec![sample.point]));
+                    write_curve(&mut BufWriter::with_capacity(1 << 16, sink()), format, 0, rows)
+                });
+            });
+        }
     }
     group.finish();
 }
@@ -135,5 +169,5 @@ fn config() -> Criterion {
         .measurement_time(Duration::from_secs(2))
 }
 
-criterion_group!(name = benches; config = config(); targets = models, hidden, labels, curves);
+criterion_group!(name = benches; config = config(); targets = models, tables, hidden, labels, curves);
 criterion_main!(benches);

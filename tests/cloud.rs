@@ -66,7 +66,7 @@ fn surface_grid() -> grafika::geometry::Grid {
 #[cfg(feature = "native")]
 mod commands {
     use std::fmt::Write as _;
-    use std::io::Write as _;
+    use std::io::{Read as _, Write as _};
     use std::path::PathBuf;
     use std::process::{Command, Output, Stdio};
 
@@ -170,6 +170,72 @@ mod commands {
         done(&folder, &["render", "A.ZMS", "-o", "net.stl"]);
         let [facts, _] = done(&folder, &["info", "net.stl"]);
         assert!(facts.contains("STL, binary"), "{facts}");
+    }
+
+    /// From a file row by row, from a pipe by way of memory.
+    #[test]
+    fn files_and_pipes_are_converted_to_the_same() {
+        let folder = folder("rows");
+        let mut text = String::from("id,x,y,z\n");
+        // More than is read at a time, with a point that is left out.
+        (0..30_000)
+            .for_each(|k| writeln!(text, "{k},{},{},{}", k as f64 / 7.0, 1e-9 * k as f64, k % 5).unwrap());
+        text.push_str("no,1,nan,3\n4,5,6,-0.0\n");
+        std::fs::write(folder.join("rows.csv"), &text).unwrap();
+        std::fs::write(folder.join("plane.csv"), text.replace(['1', '2', '3', '4'], "0")).unwrap();
+        for name in ["rows", "plane"] {
+            let csv = folder.join(format!("{name}.csv"));
+            for format in ["xyz", "obj", "ply"] {
+                let output = format!("{name}.{format}");
+                let [_, said] = done(&folder, &["convert", &format!("{name}.csv"), &output]);
+                assert!(said.contains("left out: 1 point"), "{said}");
+                let piped = Command::new(env!("CARGO_BIN_EXE_grafika"))
+                    .current_dir(&folder)
+                    .args(["convert", "-", "piped", "--from", "csv", "--to", format])
+                    .stdin(std::fs::File::open(&csv).unwrap())
+                    .output()
+                    .unwrap();
+                assert_eq!(piped.status.code(), Some(0), "{piped:?}");
+                let [file, piped] = [&output, "piped"].map(|name| std::fs::read(folder.join(name)).unwrap());
+                assert!(file == piped, "{name} {format}");
+            }
+            // A cloud, once more as one and as JSON and CSV.
+            for format in ["json", "csv"] {
+                let [file, _] = done(&folder, &["convert", &format!("{name}.xyz"), "-", "--to", format]);
+                let cloud = std::fs::read(folder.join(format!("{name}.xyz"))).unwrap();
+                let cloud = grafika::file::Cloud::read(grafika::file::CloudFormat::Xyz, &cloud).unwrap();
+                let kind = grafika::file::FileKind::from_extension(format).unwrap();
+                let document = grafika::file::Document::Cloud(cloud);
+                assert!(file.as_bytes() == document.encode(kind).unwrap(), "{name} {format}");
+            }
+        }
+    }
+
+    /// Who stops reading ends the command, without a word, also in the middle of many rows.
+    #[test]
+    fn readers_may_stop() {
+        let folder = folder("stop");
+        let text: String = (0..100_000).map(|k| format!("{k} {} 1\n", k % 7)).collect();
+        std::fs::write(folder.join("a.xyz"), text).unwrap();
+        std::fs::write(folder.join("p.csv"), "x,y\n0,1\n2,5\n4,-3\n").unwrap();
+        for arguments in [
+            &["convert", "a.xyz", "-", "--to", "csv"][..],
+            &["sample", "p.csv", "--method", "spline", "--per-span", "200000"],
+            &["render", "A.ZMS", "-o", "-", "--to", "obj", "--per-span", "60"],
+        ] {
+            let mut child = Command::new(env!("CARGO_BIN_EXE_grafika"))
+                .current_dir(&folder)
+                .args(arguments)
+                .stdout(Stdio::piped())
+                .stderr(Stdio::piped())
+                .spawn()
+                .unwrap();
+            let mut first = [0; 10];
+            child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+            let output = child.wait_with_output().unwrap();
+            let [_, said] = texts(output.clone());
+            assert_eq!((output.status.code(), said.as_str()), (Some(0), ""), "{arguments:?}");
+        }
     }
 
     #[test]

@@ -17,4 +17,4 @@ pub use read::{LARGEST_FILE, open_stream, read_limited, read_regular, read_strea
 pub use reason::reason;
 pub use recovery::{Offers, RecoveryFolder};
 pub use user_folder::UserFolder;
-pub use write::{create, write_safely};
+pub use write::{create, write_safely, write_safely_with};

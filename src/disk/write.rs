@@ -1,12 +1,14 @@
 //! Writing files so that nothing is lost, whenever the machine stops.
 
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// What the names of temporary files begin and end with.
 const TEMPORARY: [&str; 2] = [".grafika-", ".tmp"];
+/// How much of a file is written at a time.
+const PIECE: usize = 1 << 16;
 /// The age from which a temporary file that nobody holds locked is removed: its process locks it right after making it.
 const UNLOCKED: Duration = Duration::from_secs(1);
 /// The age from which a temporary file is removed where files cannot be locked.
@@ -22,12 +24,23 @@ const STALE: Duration = Duration::from_secs(24 * 60 * 60);
 /// # Errors
 /// The system's error; the old file is whole then and the temporary one is gone.
 pub fn write_safely(path: &Path, content: &[u8]) -> io::Result<()> {
+    write_safely_with(path, |file| file.write_all(content))
+}
+
+/// Like [`write_safely`], of a content that need not stand in memory: it is written piece by piece.
+///
+/// # Errors
+/// Those of [`write_safely`], and what the content itself fails with: the old file is whole then too.
+pub fn write_safely_with<E: From<io::Error>>(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<(), E> {
     write(path, content, Access::Usual)
 }
 
 /// Like [`write_safely`]; a new file can be read by its user alone.
 pub(super) fn write_private(path: &Path, content: &[u8]) -> io::Result<()> {
-    write(path, content, Access::Private)
+    write(path, |file| file.write_all(content), Access::Private)
 }
 
 /// Who may read a new file.
@@ -39,14 +52,17 @@ enum Access {
     Private,
 }
 
-fn write(path: &Path, content: &[u8], access: Access) -> io::Result<()> {
+fn write<E: From<io::Error>>(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    access: Access,
+) -> Result<(), E> {
     let old = fs::metadata(path).ok();
     if old.as_ref().is_some_and(is_special) {
-        let mut special = File::options().write(true).open(path)?;
-        return special.write_all(content).and_then(|()| special.flush());
+        return buffered(&File::options().write(true).open(path)?, content);
     }
     if old.as_ref().is_some_and(|old| old.permissions().readonly()) {
-        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is write-protected"));
+        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is write-protected").into());
     }
     let target = behind_links(path)?;
     let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -68,14 +84,14 @@ fn write(path: &Path, content: &[u8], access: Access) -> io::Result<()> {
     let mut naming = tempfile::Builder::new();
     naming.prefix(TEMPORARY[0]).suffix(TEMPORARY[1]);
     // Dropped, it is gone.
-    let mut file = naming.make_in(folder, |path| options.open(path)).map_err(|error| match error.kind() {
+    let file = naming.make_in(folder, |path| options.open(path)).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => missing(folder),
         _ => error,
     })?;
     // The lock ends with the process, and tells others whether the file is still being written. Where there are no
     // locks, its age tells.
     let _ = file.as_file().try_lock();
-    file.as_file_mut().write_all(content)?;
+    buffered(file.as_file(), content)?;
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
     }
@@ -86,6 +102,16 @@ fn write(path: &Path, content: &[u8], access: Access) -> io::Result<()> {
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+/// Writes a content into an open file in pieces of some size.
+fn buffered<E: From<io::Error>>(
+    file: &File,
+    content: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut pieces = BufWriter::with_capacity(PIECE, file);
+    content(&mut pieces)?;
+    Ok(pieces.flush()?)
 }
 
 /// Whether this is neither a file nor a folder: a pipe, a device, a socket.
@@ -203,6 +229,22 @@ mod tests {
         assert_eq!(missing.kind(), io::ErrorKind::NotFound);
         assert!(!missing.to_string().contains(TEMPORARY[0]), "nobody knows that name: {missing}");
         assert_eq!(names(folder.path()), ["a"]);
+    }
+
+    #[test]
+    fn a_content_that_breaks_off_leaves_the_old_file() {
+        let folder = scratch();
+        let path = folder.path().join("a");
+        fs::write(&path, "old").unwrap();
+        let broken = write_safely_with(&path, |file| {
+            // More than is written at a time.
+            file.write_all(&vec![7; 3 * PIECE])?;
+            Err(io::Error::other("no more"))
+        });
+        assert_eq!(broken.unwrap_err().to_string(), "no more");
+        assert_eq!((fs::read(&path).unwrap(), names(folder.path())), (b"old".to_vec(), vec!["a".to_owned()]));
+        write_safely_with(&path, |file| (0..PIECE).try_for_each(|_| file.write_all(b"new"))).unwrap();
+        assert!(fs::read(&path).unwrap() == b"new".repeat(PIECE));
     }
 
     #[test]

@@ -7,9 +7,10 @@
 use super::FigureError;
 use super::closed;
 use super::number::Number;
-use crate::geometry::{BoundingBox, Grid, Point, cross, dot};
+use crate::geometry::{BoundingBox, GeometryError, Grid, Point, cross, dot};
 use std::collections::HashMap;
-use std::fmt::Write;
+use std::convert::Infallible;
+use std::io;
 
 /// Vertices that leave a plane by no more than this part of the extent lie in it.
 pub(super) const FLATTEST: f64 = 1e-9;
@@ -199,15 +200,10 @@ impl Mesh {
     /// The mesh as Wavefront OBJ. Numbers read back as the same double.
     #[must_use]
     pub fn to_obj(&self) -> String {
-        let mut text = String::new();
-        for [x, y, z] in &self.vertices {
-            // Writing to a string cannot fail, here and below.
-            let _ = writeln!(text, "v {} {} {}", Number(*x), Number(*y), Number(*z));
-        }
-        for [a, b, c] in &self.triangles {
-            let _ = writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1);
-        }
-        text
+        let mut bytes = Vec::new();
+        // Writing to a row of bytes cannot fail, and numbers are text.
+        let _ = write_obj(self, &mut bytes);
+        String::from_utf8(bytes).unwrap_or_default()
     }
 
     /// The mesh as PLY 1.0, binary little-endian, coordinates in double precision.
@@ -215,105 +211,235 @@ impl Mesh {
     /// # Errors
     /// [`FigureError::TooManyVertices`] when they cannot be numbered in 32 bits.
     pub fn to_ply(&self) -> Result<Vec<u8>, FigureError> {
-        let mut header = String::from("ply\nformat binary_little_endian 1.0\ncomment grafika\n");
-        let _ = writeln!(header, "element vertex {}", self.vertices.len());
-        header.push_str("property double x\nproperty double y\nproperty double z\n");
-        let _ = writeln!(header, "element face {}", self.triangles.len());
-        header.push_str("property list uchar int vertex_indices\nend_header\n");
-        let mut bytes = header.into_bytes();
-        for coordinate in self.vertices.iter().flatten() {
-            bytes.extend(coordinate.to_le_bytes());
-        }
-        for triangle in &self.triangles {
-            bytes.push(3);
-            for &corner in triangle {
-                let number = i32::try_from(corner).map_err(|_| FigureError::TooManyVertices)?;
-                bytes.extend(number.to_le_bytes());
-            }
-        }
+        i32::try_from(self.vertices.len()).map_err(|_| FigureError::TooManyVertices)?;
+        let mut bytes = Vec::new();
+        // Writing to a row of bytes cannot fail.
+        let _ = write_ply(self, &mut bytes);
         Ok(bytes)
     }
 }
 
+/// A corner of a triangle: the number of its vertex and where it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) number: usize,
+    pub(super) point: Point<3>,
+}
+
+/// What models of triangles are written from.
+pub(super) trait Triangles {
+    /// How many vertices and triangles there are.
+    fn counts(&self) -> [usize; 2];
+
+    /// Calls `each` with every vertex in the order of their numbers.
+    fn each_vertex(&self, each: &mut dyn FnMut(Point<3>)) -> Result<(), GeometryError>;
+
+    /// Calls `each` with the corners of every triangle.
+    fn each_triangle(&self, each: &mut dyn FnMut([Corner; 3])) -> Result<(), GeometryError>;
+}
+
+impl Triangles for Mesh {
+    fn counts(&self) -> [usize; 2] {
+        [self.vertices.len(), self.triangles.len()]
+    }
+
+    fn each_vertex(&self, each: &mut dyn FnMut(Point<3>)) -> Result<(), GeometryError> {
+        self.vertices.iter().for_each(|&point| each(point));
+        Ok(())
+    }
+
+    fn each_triangle(&self, each: &mut dyn FnMut([Corner; 3])) -> Result<(), GeometryError> {
+        let corner =
+            |number: usize| Corner { number, point: self.vertices.get(number).copied().unwrap_or([0.0; 3]) };
+        self.triangles.iter().for_each(|corners| each(corners.map(corner)));
+        Ok(())
+    }
+}
+
+/// Writes as [`Mesh::to_obj`] has it.
+pub(super) fn write_obj(mesh: &dyn Triangles, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut written = Ok(());
+    mesh.each_vertex(&mut |[x, y, z]| {
+        written = std::mem::replace(&mut written, Ok(()))
+            .and_then(|()| writeln!(out, "v {} {} {}", Number(x), Number(y), Number(z)));
+    })
+    .map_err(io::Error::other)?;
+    mesh.each_triangle(&mut |corners| {
+        let [a, b, c] = corners.map(|corner| corner.number + 1);
+        written = std::mem::replace(&mut written, Ok(())).and_then(|()| writeln!(out, "f {a} {b} {c}"));
+    })
+    .map_err(io::Error::other)?;
+    written
+}
+
+/// Writes as [`Mesh::to_ply`] has it, where vertices can be numbered in 32 bits.
+pub(super) fn write_ply(mesh: &dyn Triangles, out: &mut dyn io::Write) -> io::Result<()> {
+    let [vertices, triangles] = mesh.counts();
+    write!(
+        out,
+        "ply\nformat binary_little_endian 1.0\ncomment grafika\nelement vertex {vertices}\nproperty double x\n\
+         property double y\nproperty double z\nelement face {triangles}\nproperty list uchar int vertex_indices\n\
+         end_header\n"
+    )?;
+    let mut written = Ok(());
+    mesh.each_vertex(&mut |point| {
+        let bytes = point.map(f64::to_le_bytes);
+        written = std::mem::replace(&mut written, Ok(())).and_then(|()| out.write_all(bytes.as_flattened()));
+    })
+    .map_err(io::Error::other)?;
+    mesh.each_triangle(&mut |corners| {
+        let mut face = [3; 13];
+        let (_, numbers) = face.split_at_mut(1);
+        let (numbers, _) = numbers.as_chunks_mut::<4>();
+        for (to, corner) in numbers.iter_mut().zip(corners) {
+            // Their number is known to fit.
+            *to = (corner.number as i32).to_le_bytes();
+        }
+        written = std::mem::replace(&mut written, Ok(())).and_then(|()| out.write_all(&face));
+    })
+    .map_err(io::Error::other)?;
+    written
+}
+
 /// Whether all points lie in one plane but for rounding.
 pub(super) fn is_flat(vertices: &[Point<3>]) -> bool {
-    let (Some(&origin), Some(bounds)) = (vertices.first(), BoundingBox::of_points(vertices)) else {
-        return true;
-    };
+    let flat = is_flat_by(&mut |each| {
+        vertices.iter().for_each(|&point| each(point));
+        Ok::<(), Infallible>(())
+    });
+    flat.unwrap_or_else(|never| match never {})
+}
+
+/// Calls a function with every point.
+pub(super) type Each<'a, E> = &'a mut dyn FnMut(&mut dyn FnMut(Point<3>)) -> Result<(), E>;
+
+/// The same of points that are given several times, one by one.
+pub(super) fn is_flat_by<E>(each: Each<'_, E>) -> Result<bool, E> {
+    let (mut origin, mut bounds) = (None, None);
+    each(&mut |p| {
+        origin.get_or_insert(p);
+        let of_point = BoundingBox::of_point(p);
+        bounds = Some(bounds.map_or(of_point, |all: BoundingBox<3>| all.union(of_point)));
+    })?;
+    let (Some(origin), Some(bounds)) = (origin, bounds) else { return Ok(true) };
     let extent = bounds.extent();
     if extent <= 0.0 {
-        return true;
+        return Ok(true);
     }
-    let away = |p: &Point<3>| -> Point<3> { std::array::from_fn(|d| (p[d] - origin[d]) / extent) };
+    let away = |p: Point<3>| -> Point<3> { std::array::from_fn(|d| (p[d] - origin[d]) / extent) };
     let longest = |a: Point<3>, b: Point<3>| if dot(b, b) > dot(a, a) { b } else { a };
-    let leg = vertices.iter().map(away).fold([0.0; 3], longest);
-    let normal = vertices.iter().map(|p| cross(leg, away(p))).fold([0.0; 3], longest);
+    let (mut leg, mut normal) = ([0.0; 3], [0.0; 3]);
+    each(&mut |p| leg = longest(leg, away(p)))?;
+    each(&mut |p| normal = longest(normal, cross(leg, away(p))))?;
     let length = dot(normal, normal).sqrt();
     // Points on one line have no normal.
     let least = bounds.rounding().max(FLATTEST * extent) / extent;
-    length <= least || vertices.iter().all(|p| (dot(normal, away(p)) / length).abs() <= least)
+    if length <= least {
+        return Ok(true);
+    }
+    let mut flat = true;
+    each(&mut |p| flat = flat && (dot(normal, away(p)) / length).abs() <= least)?;
+    Ok(flat)
+}
+
+/// The borders of a grid.
+pub(super) struct Borders {
+    /// The first and the last row.
+    pub(super) rows: [Vec<Point<3>>; 2],
+    /// The first and the last column.
+    pub(super) columns: [Vec<Point<3>>; 2],
+}
+
+/// Which points of a grid are one.
+pub(super) struct Welding {
+    /// The numbers of rows and columns.
+    pub(super) size: [usize; 2],
+    /// Whether the last row repeats the first, and the last column.
+    pub(super) closed: [bool; 2],
+    /// Whether all points of the first and of the last row are one.
+    pub(super) row_poles: [bool; 2],
+    /// The same of columns.
+    pub(super) column_poles: [bool; 2],
+    /// Corners that poles make the same: corner 2 k + l is that of the first or last row and column.
+    corners: [usize; 4],
+}
+
+impl Welding {
+    /// Of a grid of rows and columns with these borders, where points within `rounding` are one.
+    pub(super) fn new(size: [usize; 2], closed: [bool; 2], borders: &Borders, rounding: f64) -> Welding {
+        let near = |a: Point<3>, b: Point<3>| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= rounding);
+        let is_pole = |border: &Vec<Point<3>>| match border.split_first() {
+            Some((&first, others)) => others.iter().all(|&point| near(first, point)),
+            None => true,
+        };
+        let row_poles = borders.rows.each_ref().map(|row| !closed[0] && is_pole(row));
+        let column_poles = borders.columns.each_ref().map(|column| !closed[1] && is_pole(column));
+        let mut corners = [0, 1, 2, 3];
+        let mut unite = |a: usize, b: usize| {
+            let [a, b] = [corners[a], corners[b]];
+            corners.iter_mut().filter(|corner| **corner == a.max(b)).for_each(|corner| *corner = a.min(b));
+        };
+        for end in 0..2 {
+            if row_poles[end] {
+                unite(2 * end, 2 * end + 1);
+            }
+            if column_poles[end] {
+                unite(end, 2 + end);
+            }
+        }
+        Welding { size, closed, row_poles, column_poles, corners }
+    }
+
+    /// The place of the point that stands for another one.
+    pub(super) fn target(&self, k: usize, l: usize) -> [usize; 2] {
+        let [last_row, last_column] = self.size.map(|lines| lines.saturating_sub(1));
+        let k = if self.closed[0] && k == last_row { 0 } else { k };
+        let l = if self.closed[1] && l == last_column { 0 } else { l };
+        // A grid of one line has its first border only.
+        let border = |at: usize, last: usize| if at == 0 { Some(0) } else { (at == last).then_some(1) };
+        let corner = match (border(k, last_row), border(l, last_column)) {
+            (Some(end), _) if self.row_poles[end] => self.corners[2 * end],
+            (_, Some(end)) if self.column_poles[end] => self.corners[end],
+            _ => return [k, l],
+        };
+        [last_row * (corner / 2), last_column * (corner % 2)]
+    }
 }
 
 /// For every point of a grid the one that stands for it.
 fn merged(grid: &Grid) -> Vec<usize> {
-    let [rows, columns] = [grid.rows(), grid.columns()];
-    let [closed_u, closed_v] = grid.closed();
+    let size @ [rows, columns] = [grid.rows(), grid.columns()];
     let rounding = BoundingBox::of_points(grid.points()).map_or(0.0, |it| it.rounding());
-    let near = |a: Option<Point<3>>, b: Option<Point<3>>| match (a, b) {
-        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= rounding),
-        _ => false,
+    let row = |k: usize| (0..columns).filter_map(|l| grid.point(k, l)).collect();
+    let column = |l: usize| (0..rows).filter_map(|k| grid.point(k, l)).collect();
+    let borders = Borders {
+        rows: [0, rows.saturating_sub(1)].map(row),
+        columns: [0, columns.saturating_sub(1)].map(column),
     };
-    let pole_row = |k: usize| !closed_u && (1..columns).all(|l| near(grid.point(k, 0), grid.point(k, l)));
-    let pole_column = |l: usize| !closed_v && (1..rows).all(|k| near(grid.point(0, l), grid.point(k, l)));
-    let (last_row, last_column) = (rows.saturating_sub(1), columns.saturating_sub(1));
-    let row_poles = [0, last_row].map(pole_row);
-    let column_poles = [0, last_column].map(pole_column);
-    // Corners that poles make the same: corner 2 k + l is that of the first or last row and column.
-    let mut corners = [0, 1, 2, 3];
-    let mut unite = |a: usize, b: usize| {
-        let [a, b] = [corners[a], corners[b]];
-        corners.iter_mut().filter(|corner| **corner == a.max(b)).for_each(|corner| *corner = a.min(b));
+    let welding = Welding::new(size, grid.closed(), &borders, rounding);
+    let target = |[k, l]: [usize; 2]| {
+        let [k, l] = welding.target(k, l);
+        k * columns + l
     };
-    for end in 0..2 {
-        if row_poles[end] {
-            unite(2 * end, 2 * end + 1);
-        }
-        if column_poles[end] {
-            unite(end, 2 + end);
-        }
-    }
-    let target = |k: usize, l: usize| {
-        let k = if closed_u && k == last_row { 0 } else { k };
-        let l = if closed_v && l == last_column { 0 } else { l };
-        // A grid of one line has its first border only.
-        let border = |at: usize, last: usize| if at == 0 { Some(0) } else { (at == last).then_some(1) };
-        let corner = match (border(k, last_row), border(l, last_column)) {
-            (Some(end), _) if row_poles[end] => corners[2 * end],
-            (_, Some(end)) if column_poles[end] => corners[end],
-            _ => return k * columns + l,
-        };
-        last_row * (corner / 2) * columns + last_column * (corner % 2)
-    };
-    (0..rows).flat_map(|k| (0..columns).map(move |l| (k, l))).map(|(k, l)| target(k, l)).collect()
+    grid.indices().map(target).collect()
 }
 
 /// The two triangles of a cell with the corners (k, l), (k, l - 1), (k - 1, l - 1), (k - 1, l).
 pub(super) fn split(cell: [usize; 4], points: &[Point<3>]) -> [[usize; 3]; 2] {
-    let at = |index: usize| points.get(index).copied().unwrap_or([0.0; 3]);
-    let distance = |a: usize, b: usize| {
-        let (a, b) = (at(a), at(b));
-        (0..3).fold(0.0_f64, |sum, d| sum.hypot(a[d] - b[d]))
-    };
     let [a, b, c, d] = cell;
-    let square = |a: usize, b: usize| {
-        let (a, b) = (at(a), at(b));
-        (0..3).fold(0.0_f64, |sum, d| sum + (a[d] - b[d]) * (a[d] - b[d]))
-    };
+    let corners = cell.map(|index| points.get(index).copied().unwrap_or([0.0; 3]));
+    if is_other_diagonal(corners) { [[c, b, d], [b, a, d]] } else { [[c, b, a], [c, a, d]] }
+}
+
+/// Whether a cell with these corners is split between the second and the last of them.
+pub(super) fn is_other_diagonal([a, b, c, d]: [Point<3>; 4]) -> bool {
+    let distance = |a: Point<3>, b: Point<3>| (0..3).fold(0.0_f64, |sum, d| sum.hypot(a[d] - b[d]));
+    let square =
+        |a: Point<3>, b: Point<3>| (0..3).fold(0.0_f64, |sum, d| sum + (a[d] - b[d]) * (a[d] - b[d]));
     let (one, other) = (square(b, d), SHORTER * SHORTER * square(a, c));
     // Squares tell in a fraction of the time, unless they are nearly equal, overflow or vanish.
     let sure = one.min(other) > 1e-200 && one.max(other) < 1e200 && (one - other).abs() > 1e-12 * other;
-    let shorter = if sure { one < other } else { distance(b, d) < SHORTER * distance(a, c) };
-    if shorter { [[c, b, d], [b, a, d]] } else { [[c, b, a], [c, a, d]] }
+    if sure { one < other } else { distance(b, d) < SHORTER * distance(a, c) }
 }
 
 #[cfg(test)]

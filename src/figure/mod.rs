@@ -34,6 +34,7 @@ mod layout;
 mod legend;
 mod letters;
 mod mesh;
+mod mesh_rows;
 mod model;
 mod narrow;
 mod number;
@@ -59,7 +60,7 @@ mod wrap;
 pub use axes::Axes;
 pub use error::FigureError;
 pub use mesh::Mesh;
-pub use model::{MODEL_TOLERANCE, ModelFormat, ModelOptions};
+pub use model::{MODEL_TOLERANCE, Model, ModelFormat, ModelOptions};
 pub use ph::{CUT_INK, OFFSET_INK};
 pub use picture::{Figure, LARGEST_WIDTH, LONGEST_CAPTION, NOMINAL_WIDTH, SMALLEST_WIDTH, Style};
 pub use plot::{CURVE_INK, Hidden, SERIES_INKS, closure, point_labels, print_ink, tolerance};
@@ -69,6 +70,9 @@ pub use skin::{is_hole, outline_step};
 pub use step::{surface_step, surfaces_step};
 pub use step_curve::{StepCurve, curves_step};
 pub use stl::Stl;
-pub use table::{CurveRow, curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json};
+pub use table::{
+    CurveRow, TableFormat, curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json,
+    write_curve, write_quantities, write_surface,
+};
 pub use wireframe::{all_lines, visible_lines};
 pub use wrap::wrap;

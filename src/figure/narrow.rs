@@ -29,6 +29,11 @@ pub(super) fn take_out<'a>(points: &[Point<3>], triangles: Cow<'a, [[usize; 3]]>
     left.map(|(_, corners)| *corners).collect()
 }
 
+/// Whether a triangle has no area.
+pub(super) fn is_narrow(corners: [Point<3>; 3]) -> bool {
+    longest_of_narrow(&corners, [0, 1, 2]).is_some()
+}
+
 /// A triangle without area, turned so that its longest side runs from its last corner to its first, with its length.
 fn longest_of_narrow(points: &[Point<3>], [a, b, c]: [usize; 3]) -> Option<([usize; 3], f64)> {
     let point = |number: usize| points.get(number).copied().unwrap_or([0.0; 3]);

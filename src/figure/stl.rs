@@ -4,10 +4,12 @@
 //! one are one vertex then, and triangles that lose their area are taken out so that what was closed stays closed.
 
 use super::FigureError;
-use super::mesh::{Mesh, is_flat};
-use super::narrow::take_out;
-use crate::geometry::{Point, cross, dot};
+use super::mesh::{Mesh, Triangles, is_flat};
+use super::mesh_rows::MeshRows;
+use super::narrow::{is_narrow, take_out};
+use crate::geometry::{GeometryError, Point, cross, dot};
 use std::borrow::Cow;
+use std::io;
 
 /// A mesh as binary STL.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,22 +59,97 @@ impl Mesh {
 fn written(points: &[Point<3>], triangles: &[[usize; 3]]) -> Result<Vec<u8>, FigureError> {
     let count = u32::try_from(triangles.len()).map_err(|_| FigureError::TooManyVertices)?;
     let mut bytes = Vec::with_capacity(84 + 50 * triangles.len());
-    // The header is free, but must not begin with "solid", which means the textual form.
-    bytes.extend(b"grafika");
-    bytes.resize(80, 0);
-    bytes.extend(count.to_le_bytes());
+    bytes.extend(header(count));
     for triangle in triangles {
-        let corners = triangle.map(|n| points.get(n).copied().unwrap_or([0.0; 3]));
-        let mut facet = [0; 50];
-        let normal = single_normal(corners);
-        let [a, b, c] = corners.map(|corner| corner.map(|x| x as f32));
-        let (numbers, _) = facet.as_chunks_mut::<4>();
-        for (to, x) in numbers.iter_mut().zip([normal, a, b, c].as_flattened()) {
-            *to = x.to_le_bytes();
-        }
-        bytes.extend(facet);
+        bytes.extend(facet(triangle.map(|n| points.get(n).copied().unwrap_or([0.0; 3]))));
     }
     Ok(bytes)
+}
+
+/// What stands before so many triangles.
+fn header(count: u32) -> [u8; 84] {
+    let mut bytes = [0; 84];
+    // The header is free, but must not begin with "solid", which means the textual form.
+    bytes[..7].copy_from_slice(b"grafika");
+    bytes[80..].copy_from_slice(&count.to_le_bytes());
+    bytes
+}
+
+/// A triangle between points that are singles.
+fn facet(corners: [Point<3>; 3]) -> [u8; 50] {
+    let mut facet = [0; 50];
+    let normal = single_normal(corners);
+    let [a, b, c] = corners.map(|corner| corner.map(|x| x as f32));
+    let (numbers, _) = facet.as_chunks_mut::<4>();
+    for (to, x) in numbers.iter_mut().zip([normal, a, b, c].as_flattened()) {
+        *to = x.to_le_bytes();
+    }
+    facet
+}
+
+/// A mesh that is written as STL row by row: one whose vertices stay apart as singles, and whose triangles all have an area
+/// then, so that the file is that of [`Mesh::to_stl`].
+pub(super) struct StlRows<'a> {
+    mesh: MeshRows<'a>,
+    count: u32,
+}
+
+impl<'a> StlRows<'a> {
+    /// `None` if the mesh is none of those.
+    ///
+    /// # Errors
+    /// Those of the surface.
+    pub(super) fn new(mesh: MeshRows<'a>) -> Result<Option<StlRows<'a>>, GeometryError> {
+        let [vertices, triangles] = mesh.counts();
+        let Ok(count) = u32::try_from(triangles) else { return Ok(None) };
+        if !Self::are_apart(&mesh, vertices)? {
+            return Ok(None);
+        }
+        let mut narrow = false;
+        mesh.each_triangle(&mut |corners| {
+            narrow = narrow || is_narrow(corners.map(|corner| single(corner.point)));
+        })?;
+        if narrow || mesh.is_closed() && mesh.is_flat(single)? {
+            return Ok(None);
+        }
+        Ok(Some(StlRows { mesh, count }))
+    }
+
+    /// Whether all vertices are numbers as singles, and no two of them the same ones.
+    fn are_apart(mesh: &MeshRows<'_>, vertices: usize) -> Result<bool, GeometryError> {
+        let (mut singles, mut finite) = (Vec::with_capacity(vertices), true);
+        mesh.each_vertex(&mut |point| {
+            let point = point.map(|x| x as f32 + 0.0);
+            finite = finite && point.iter().all(|x| x.is_finite());
+            singles.push(point.map(f32::to_bits));
+        })?;
+        singles.sort_unstable();
+        Ok(finite && singles.windows(2).all(|pair| pair[0] != pair[1]))
+    }
+
+    /// The bytes of the file.
+    pub(super) fn size(&self) -> usize {
+        84 + 50 * self.count as usize
+    }
+
+    /// Writes the file.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub(super) fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        out.write_all(&header(self.count))?;
+        let mut written = Ok(());
+        let done = self.mesh.each_triangle(&mut |corners| {
+            let facet = facet(corners.map(|corner| single(corner.point)));
+            written = std::mem::replace(&mut written, Ok(())).and_then(|()| out.write_all(&facet));
+        });
+        done.map_err(io::Error::other).and(written)
+    }
+}
+
+/// A point in single precision; zero has one sign.
+fn single(point: Point<3>) -> Point<3> {
+    point.map(|x| f64::from(x as f32) + 0.0)
 }
 
 /// The vertices of a mesh in single precision.
@@ -122,7 +199,7 @@ impl Singles {
         for index in 0..numbers.len() {
             let first = numbers[index];
             numbers[index] = if first == index {
-                points.push(vertices[index].map(|value| f64::from(value as f32) + 0.0));
+                points.push(single(vertices[index]));
                 points.len() - 1
             } else {
                 // An earlier one, so it is a number already.

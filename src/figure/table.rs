@@ -1,9 +1,13 @@
 //! Sampled curves and surfaces as tables for other programs: CSV and JSON.
+//!
+//! Rows are written one by one, so that a table may be longer than memory; the functions that give the whole text do the
+//! same.
 
 use super::number::Number;
 use crate::geometry::SurfaceSample;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
+use std::io;
 
 /// The names of the coordinates.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -20,6 +24,88 @@ fn columns<const D: usize>(derivatives: usize) -> Vec<String> {
     orders.flat_map(|order| AXES.iter().take(D).map(move |axis| format!("{order}{axis}"))).collect()
 }
 
+/// How rows of numbers are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TableFormat {
+    /// A line of names, then a line for every row.
+    Csv,
+    /// An array with an object for every row.
+    Json,
+}
+
+/// A row as it is written, the first one or another.
+type WriteRow<'a, R> = &'a mut dyn FnMut(&mut String, &R);
+
+/// Writes rows one by one: in JSON between the signs of an array.
+fn write_rows<R, E: From<io::Error>>(
+    out: &mut dyn io::Write,
+    format: TableFormat,
+    header: &str,
+    rows: impl Iterator<Item = Result<R, E>>,
+    write_row: WriteRow<'_, R>,
+) -> Result<(), E> {
+    match format {
+        TableFormat::Csv => out.write_all(format!("{header}\n").as_bytes())?,
+        TableFormat::Json => out.write_all(b"[")?,
+    }
+    let mut line = String::new();
+    for (index, row) in rows.enumerate() {
+        line.clear();
+        if format == TableFormat::Json {
+            line.push_str(if index == 0 { "\n" } else { ",\n" });
+        }
+        write_row(&mut line, &row?);
+        if format == TableFormat::Csv {
+            line.push('\n');
+        }
+        out.write_all(line.as_bytes())?;
+    }
+    if format == TableFormat::Json {
+        out.write_all(b"\n]\n")?;
+    }
+    Ok(())
+}
+
+/// What is written as text.
+fn text_of(write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> String {
+    let mut bytes = Vec::new();
+    // Writing to a row of bytes cannot fail, and numbers and names are text.
+    let _ = write(&mut bytes);
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
+/// Writes the rows of a sampled curve one by one, as [`curve_csv`] or [`curve_json`] have them.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_curve<const D: usize>(
+    out: &mut dyn io::Write,
+    format: TableFormat,
+    derivatives: usize,
+    rows: impl Iterator<Item = CurveRow<D>>,
+) -> io::Result<()> {
+    let columns = columns::<D>(derivatives);
+    let header = format!("span,u,{}", columns.join(","));
+    write_rows(out, format, &header, rows.map(io::Result::Ok), &mut |line, (span, u, points)| match format {
+        TableFormat::Csv => {
+            // Writing to a string cannot fail, here and below.
+            let _ = write!(line, "{span},{}", Number(*u));
+            for &coordinate in points.iter().flatten() {
+                let _ = write!(line, ",{}", Number(coordinate));
+            }
+        }
+        TableFormat::Json => {
+            let mut row = Map::new();
+            row.insert("span".to_string(), Value::from(*span));
+            row.insert("u".to_string(), Value::from(*u));
+            for (column, &coordinate) in columns.iter().zip(points.iter().flatten()) {
+                row.insert(column.clone(), Value::from(coordinate));
+            }
+            let _ = write!(line, "{}", Value::Object(row));
+        }
+    })
+}
+
 /// Rows of a sampled curve as CSV: the header `span,u,x,y` or `span,u,x,y,z`, with up to two derivatives
 /// `dx,dy,dz,ddx,ddy,ddz` behind it, then a line each. Numbers have the fewest digits that read back as the same
 /// double.
@@ -29,16 +115,7 @@ fn columns<const D: usize>(derivatives: usize) -> Vec<String> {
 /// assert_eq!(grafika::figure::curve_csv(0, rows.into_iter()), "span,u,x,y\n0,0,1,2\n0,0.5,1.5,1e-9\n");
 /// ```
 pub fn curve_csv<const D: usize>(derivatives: usize, rows: impl Iterator<Item = CurveRow<D>>) -> String {
-    let mut text = format!("span,u,{}\n", columns::<D>(derivatives).join(","));
-    for (span, u, points) in rows {
-        // Writing to a string cannot fail, here and below.
-        let _ = write!(text, "{span},{}", Number(u));
-        for coordinate in points.into_iter().flatten() {
-            let _ = write!(text, ",{}", Number(coordinate));
-        }
-        text.push('\n');
-    }
-    text
+    text_of(|out| write_curve(out, TableFormat::Csv, derivatives, rows))
 }
 
 /// The rows of [`curve_csv`] as a JSON array with an object a line: `span` (an integer), `u`, `x`, `y`
@@ -55,19 +132,46 @@ pub fn curve_csv<const D: usize>(derivatives: usize, rows: impl Iterator<Item = 
 /// "#);
 /// ```
 pub fn curve_json<const D: usize>(derivatives: usize, rows: impl Iterator<Item = CurveRow<D>>) -> String {
-    let columns = columns::<D>(derivatives);
-    let mut text = String::from("[");
-    for (index, (span, u, points)) in rows.enumerate() {
-        let mut row = Map::new();
-        row.insert("span".to_string(), Value::from(span));
-        row.insert("u".to_string(), Value::from(u));
-        for (column, coordinate) in columns.iter().zip(points.into_iter().flatten()) {
-            row.insert(column.clone(), Value::from(coordinate));
+    text_of(|out| write_curve(out, TableFormat::Json, derivatives, rows))
+}
+
+/// Writes rows of numbers below these names one by one, as [`quantity_csv`] or [`quantity_json`] have them; the first
+/// `counted` columns are integers in JSON.
+///
+/// # Errors
+/// Those of the writer and of the rows.
+pub fn write_quantities<E: From<io::Error>>(
+    out: &mut dyn io::Write,
+    format: TableFormat,
+    header: &[&str],
+    counted: usize,
+    rows: impl Iterator<Item = Result<Vec<Option<f64>>, E>>,
+) -> Result<(), E> {
+    write_rows(out, format, &header.join(","), rows, &mut |line, row| {
+        if format == TableFormat::Json {
+            line.push('{');
         }
-        let _ = write!(text, "{}{}", if index == 0 { "\n" } else { ",\n" }, Value::Object(row));
-    }
-    text.push_str("\n]\n");
-    text
+        for (column, (name, value)) in header.iter().zip(row).enumerate() {
+            line.push_str(if column == 0 { "" } else { "," });
+            match (format, value) {
+                (TableFormat::Csv, Some(value)) => {
+                    let _ = write!(line, "{}", Number(*value));
+                }
+                (TableFormat::Csv, None) => {}
+                (TableFormat::Json, value) => {
+                    let value = match value {
+                        // Spans are counted from 0.
+                        Some(value) if column < counted => Value::from(*value as u64),
+                        value => Value::from(*value),
+                    };
+                    let _ = write!(line, "{}:{value}", Value::from(*name));
+                }
+            }
+        }
+        if format == TableFormat::Json {
+            line.push('}');
+        }
+    })
 }
 
 /// A table of numbers as CSV, below a header of these names: rows of one number a column, and an empty field where there
@@ -80,18 +184,8 @@ pub fn curve_json<const D: usize>(derivatives: usize, rows: impl Iterator<Item =
 /// ```
 #[must_use]
 pub fn quantity_csv(header: &[&str], rows: &[Vec<Option<f64>>]) -> String {
-    let mut text = header.join(",") + "\n";
-    for row in rows {
-        for (index, value) in row.iter().enumerate() {
-            // Writing to a string cannot fail, here and below.
-            let _ = write!(text, "{}", if index == 0 { "" } else { "," });
-            if let Some(value) = value {
-                let _ = write!(text, "{}", Number(*value));
-            }
-        }
-        text.push('\n');
-    }
-    text
+    let rows = rows.iter().cloned().map(io::Result::Ok);
+    text_of(|out| write_quantities(out, TableFormat::Csv, header, 0, rows))
 }
 
 /// The rows of [`quantity_csv`] as a JSON array with an object a line; the first `counted` columns are integers, and
@@ -104,21 +198,32 @@ pub fn quantity_csv(header: &[&str], rows: &[Vec<Option<f64>>]) -> String {
 /// ```
 #[must_use]
 pub fn quantity_json(header: &[&str], counted: usize, rows: &[Vec<Option<f64>>]) -> String {
-    let mut text = String::from("[");
-    for (index, row) in rows.iter().enumerate() {
-        let fields = header.iter().zip(row).enumerate().map(|(column, (name, value))| {
-            let value = match value {
-                // Spans are counted from 0.
-                Some(value) if column < counted => Value::from(*value as u64),
-                value => Value::from(*value),
-            };
-            format!("{}:{value}", Value::from(*name))
-        });
-        let row = fields.collect::<Vec<String>>().join(",");
-        let _ = write!(text, "{}{{{row}}}", if index == 0 { "\n" } else { ",\n" });
-    }
-    text.push_str("\n]\n");
-    text
+    let rows = rows.iter().cloned().map(io::Result::Ok);
+    text_of(|out| write_quantities(out, TableFormat::Json, header, counted, rows))
+}
+
+/// Writes the samples of a surface one by one, as [`surface_csv`] or [`surface_json`] have them.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_surface(
+    out: &mut dyn io::Write,
+    format: TableFormat,
+    samples: impl Iterator<Item = SurfaceSample>,
+) -> io::Result<()> {
+    write_rows(out, format, "i,j,u,v,x,y,z", samples.map(io::Result::Ok), &mut |line, sample| {
+        let SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] } = *sample;
+        match format {
+            TableFormat::Csv => {
+                let [u, v, x, y, z] = [u, v, x, y, z].map(Number);
+                let _ = write!(line, "{i},{j},{u},{v},{x},{y},{z}");
+            }
+            TableFormat::Json => {
+                let row = json!({ "i": i, "j": j, "u": u, "v": v, "x": x, "y": y, "z": z });
+                let _ = write!(line, "{row}");
+            }
+        }
+    })
 }
 
 /// Samples of a surface as CSV: the header `i,j,u,v,x,y,z` (spans from 0, parameters in them, the point),
@@ -132,12 +237,7 @@ pub fn quantity_json(header: &[&str], counted: usize, rows: &[Vec<Option<f64>>])
 /// assert_eq!(text, "i,j,u,v,x,y,z\n0,2,0.5,1,1,0.1,1e-9\n");
 /// ```
 pub fn surface_csv(samples: impl Iterator<Item = SurfaceSample>) -> String {
-    let mut text = String::from("i,j,u,v,x,y,z\n");
-    for SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] } in samples {
-        let [u, v, x, y, z] = [u, v, x, y, z].map(Number);
-        let _ = writeln!(text, "{i},{j},{u},{v},{x},{y},{z}");
-    }
-    text
+    text_of(|out| write_surface(out, TableFormat::Csv, samples))
 }
 
 /// The rows of [`surface_csv`] as a JSON array with an object a line.
@@ -153,14 +253,7 @@ pub fn surface_csv(samples: impl Iterator<Item = SurfaceSample>) -> String {
 /// "#);
 /// ```
 pub fn surface_json(samples: impl Iterator<Item = SurfaceSample>) -> String {
-    let mut text = String::from("[");
-    for (index, SurfaceSample { spans: [i, j], parameters: [u, v], point: [x, y, z] }) in samples.enumerate()
-    {
-        let row = json!({ "i": i, "j": j, "u": u, "v": v, "x": x, "y": y, "z": z });
-        let _ = write!(text, "{}{row}", if index == 0 { "\n" } else { ",\n" });
-    }
-    text.push_str("\n]\n");
-    text
+    text_of(|out| write_surface(out, TableFormat::Json, samples))
 }
 
 #[cfg(test)]

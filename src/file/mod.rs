@@ -51,7 +51,9 @@ pub mod wheel;
 
 pub use check::{MAX_POINTS, number};
 pub use circles::{Circles, Spheres};
-pub use cloud::{Cloud, CloudFormat, CloudReader, Encoding, LeftOut, MAX_CLOUD_POINTS, Skipped, Spot};
+pub use cloud::{
+    Cloud, CloudFormat, CloudReader, CloudWriter, Encoding, LeftOut, MAX_CLOUD_POINTS, Skipped, Spot,
+};
 pub use convert::{FileKind, TABLES, convert};
 pub use cube::{CsangoCube, CubePiece};
 pub use document::Document;

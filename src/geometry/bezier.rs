@@ -1,6 +1,7 @@
 //! The Bézier curve by all control points: one arc of any degree (2.47)-(2.48).
 
 use super::arclen::integrate;
+use super::bezier_far::{Far, Near};
 use super::cubic::check_arcs;
 use super::method::Closure;
 use super::param::{ParamCurve, check_tolerance, clipped};
@@ -15,6 +16,12 @@ pub struct Bezier<const D: usize> {
 
 /// Smallest tolerance of the cubic arcs, by the extent of the control points.
 const LEAST_TOLERANCE: f64 = 1e-12;
+
+/// From this degree on, pieces are computed from points of the curve instead of halving all control points, if the
+/// tolerance leaves room for rounding: by the extent of the control points, and by the last bits of their coordinates.
+const HIGH_DEGREE: usize = 400;
+const ROOM: f64 = 1e-10;
+const ROOM_FAR_AWAY: f64 = 16.0;
 
 /// How often a piece is halved at most. Its control points are then equal but for rounding, so
 /// searches end long before.
@@ -38,6 +45,46 @@ impl<const D: usize> Bezier<D> {
             Closure::Closed => points.first(),
         };
         Ok(Self { points: points.iter().chain(seam).copied().collect() })
+    }
+
+    /// The arcs of [`ParamCurve::to_cubics`] by halving.
+    fn halved(&self, tolerance: f64) -> Vec<CubicBezier<D>> {
+        let mut arcs = Vec::new();
+        let mut waiting = vec![(self.points.clone(), DEPTH)];
+        while let Some((piece, depth)) = waiting.pop() {
+            let arc = cubic_like(&piece);
+            if depth == 0 || deviation(&piece, &arc) <= tolerance {
+                arcs.push(arc);
+            } else {
+                let [left, right] = split(&piece, 0.5);
+                waiting.push((right, depth - 1));
+                waiting.push((left, depth - 1));
+            }
+        }
+        arcs
+    }
+
+    /// The same arcs but for rounding, of a high degree.
+    fn far_cubics(&self, bounds: &BoundingBox<D>, tolerance: f64) -> Vec<CubicBezier<D>> {
+        let (far, mut table) = (Far::new(&self.points, bounds), None);
+        let mut arcs = Vec::new();
+        let mut waiting = vec![([0.0, 1.0], DEPTH)];
+        while let Some((part, depth)) = waiting.pop() {
+            let arc = far.cubic(part);
+            let near = match far.near(part, &arc, tolerance, &mut table) {
+                Near::Yes => true,
+                Near::No => false,
+                Near::Unknown if part == [0.0, 1.0] => deviation(&self.points, &arc) <= tolerance,
+                Near::Unknown => deviation(&far.piece(part), &arc) <= tolerance,
+            };
+            if depth == 0 || near {
+                arcs.push(arc);
+            } else {
+                let middle = 0.5 * (part[0] + part[1]);
+                waiting.extend([([middle, part[1]], depth - 1), ([part[0], middle], depth - 1)]);
+            }
+        }
+        arcs
     }
 
     /// The control points; those of a closed curve end with the first one again.
@@ -118,24 +165,23 @@ impl<const D: usize> ParamCurve<D> for Bezier<D> {
         if self.degree() > 3 && tolerance < least {
             return Err(GeometryError::ToleranceTooSmall { value: tolerance, least });
         }
-        let mut arcs = Vec::new();
-        let mut waiting = vec![(self.points.clone(), DEPTH)];
-        while let Some((piece, depth)) = waiting.pop() {
-            let arc = cubic_like(&piece);
-            if depth == 0 || deviation(&piece, &arc) <= tolerance {
-                arcs.push(arc);
-            } else {
-                let [left, right] = split(&piece, 0.5);
-                waiting.push((right, depth - 1));
-                waiting.push((left, depth - 1));
-            }
+        let room = |bounds: &BoundingBox<D>| {
+            tolerance >= (ROOM * bounds.extent()).max(ROOM_FAR_AWAY * bounds.last_bits())
+        };
+        match bounds.filter(room) {
+            Some(bounds) if self.degree() >= HIGH_DEGREE => check_arcs(self.far_cubics(&bounds, tolerance)),
+            _ => check_arcs(self.halved(tolerance)),
         }
-        check_arcs(arcs)
     }
 
     /// A box round the curve, never too small and too large by no more than 1e-13 of the box of
-    /// its control points.
+    /// its control points; of a degree of 400 and more perhaps by the last bits of their coordinates.
     fn bounding_box(&self) -> Option<BoundingBox<D>> {
+        if self.degree() >= HIGH_DEGREE {
+            let far = Far::new(&self.points, &BoundingBox::of_points(&self.points)?);
+            let [low, high] = [-1.0, 1.0].map(|sign| far.tops(sign, DEPTH));
+            return Some(BoundingBox { min: low.map(|x| -x), max: high });
+        }
         let coefficients = |d: usize, sign: f64| self.points.iter().map(|p| [sign * p[d]]).collect();
         Some(BoundingBox {
             min: std::array::from_fn(|d| -largest_value(coefficients(d, -1.0))),
@@ -258,6 +304,35 @@ fn largest_value(coefficients: Vec<Point<1>>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(6))]
+        /// Arcs and boxes of a high degree are those of halving.
+        #[test]
+        fn high_degrees_are_halved_the_same(
+            n in 402_usize..450, seed in 0_usize..1000, noise in prop::sample::select(vec![0.0, 1e-9, 0.01, 1.0, 30.0]),
+            part in prop::sample::select(vec![1e-5, 1e-3, 0.1]), far: bool,
+        ) {
+            let jump = |i: usize| ((i * 7919 + seed * 31) % 1000) as f64 * 1e-3 - 0.5;
+            let around = if far { 100.0 } else { 0.0 };
+            let point = |i: usize| [i as f64, around + 50.0 * (0.02 * i as f64).sin() + noise * jump(i)];
+            let curve = Bezier::new(Closure::Open, &(0..n).map(point).collect::<Vec<_>>()).unwrap();
+            let (ours, theirs) = (curve.to_cubics(part * n as f64).unwrap(), curve.halved(part * n as f64));
+            prop_assert_eq!(ours.len(), theirs.len());
+            for (ours, theirs) in ours.iter().flat_map(|arc| arc.p).zip(theirs.iter().flat_map(|arc| arc.p)) {
+                prop_assert!(distance(ours, theirs) < 1e-12 * (n as f64 + around), "{:?} {:?}", ours, theirs);
+            }
+            let bounds = curve.bounding_box().unwrap();
+            let extent = BoundingBox::of_points(&curve.points).unwrap().extent();
+            for d in 0..2 {
+                let values = |sign: f64| curve.points.iter().map(|p| [sign * p[d]]).collect();
+                let theirs = [-largest_value(values(-1.0)), largest_value(values(1.0))];
+                prop_assert!((bounds.min[d] - theirs[0]).abs() <= 3e-13 * extent + 1e-15 * around);
+                prop_assert!((bounds.max[d] - theirs[1]).abs() <= 3e-13 * extent + 1e-15 * around);
+            }
+        }
+    }
 
     fn wave(n: usize) -> Bezier<2> {
         let points: Vec<_> = (0..n).map(|i| [i as f64, 10.0 * (1.3 * i as f64).sin()]).collect();

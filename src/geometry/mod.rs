@@ -47,6 +47,8 @@ mod arcs;
 mod basis;
 mod beta;
 mod bezier;
+mod bezier_far;
+mod binomial;
 mod bounds;
 mod chebyshev;
 pub mod cloud;
@@ -104,7 +106,7 @@ pub use hidden::{DepthBuffer, MAX_SIDE, Pixel, Vertex, near_first};
 pub use hull3::{Hull, convex_hull};
 pub use limits::{COORDINATE_LIMIT, MAX_POINTS, MAX_SAMPLES};
 pub use method::{Closure, Ends, Method};
-pub use param::{ParamCurve, Sample};
+pub use param::{ParamCurve, Sample, samples};
 pub use pn::{
     Jacobian, Overview, PnData, PnMethod, PnNet, PnPlace, PnSurface, RadiusRange, RationalPatch,
     RationalPatches, RationalSurface, SafeDistances, Shell,
@@ -119,7 +121,7 @@ pub use stepped::stepped_spline;
 pub use surface::{
     BSplineSurface, Border, Contact, Derivatives, Grid, Joined, Joint, JointDeviation, Order, ParamSurface,
     Patch, Plane, RefineDirection, Rim, Scheme, Surface, SurfaceSample, Topology, Weave, refine, section,
-    triangle_width,
+    surface_samples, triangle_width,
 };
 pub use view::{CENTRE, STEP, Turn, View};
 pub use weights::Weights;

@@ -63,15 +63,7 @@ pub trait ParamCurve<const D: usize>: fmt::Debug {
     /// # Errors
     /// [`GeometryError::Samples`] for no steps or more than [`MAX_SAMPLES`] samples.
     fn sample(&self, per_span: usize) -> Result<Vec<Sample<D>>, GeometryError> {
-        let rows = check_samples(self.spans(), per_span)?;
-        let mut points = vec![[0.0; D]; per_span + 1];
-        let mut samples = Vec::with_capacity(rows);
-        for span in 0..self.spans() {
-            self.sample_span(span, &mut points);
-            let sample = |(j, &point)| Sample { span, u: j as f64 / per_span as f64, point };
-            samples.extend(points.iter().enumerate().map(sample));
-        }
-        Ok(samples)
+        samples(self, per_span).map(Iterator::collect)
     }
 
     /// The points of a polyline along the curve, `per_span` steps on every span; joints come once.
@@ -121,6 +113,36 @@ pub trait ParamCurve<const D: usize>: fmt::Debug {
     fn length(&self, accuracy: f64) -> f64 {
         measured(self, accuracy)
     }
+}
+
+/// The samples of [`ParamCurve::sample`] one by one, in memory of one span.
+///
+/// # Errors
+/// As [`ParamCurve::sample`].
+///
+/// ```
+/// use grafika::geometry::{Closure, Curve, Method, ParamCurve, samples};
+///
+/// let curve = Curve::through(Method::Spline, Closure::Open, &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]])?;
+/// assert!(samples(&curve, 10)?.eq(curve.sample(10)?));
+/// # Ok::<(), grafika::geometry::GeometryError>(())
+/// ```
+pub fn samples<const D: usize>(
+    curve: &(impl ParamCurve<D> + ?Sized),
+    per_span: usize,
+) -> Result<impl ExactSizeIterator<Item = Sample<D>>, GeometryError> {
+    let rows = check_samples(curve.spans(), per_span)?;
+    let mut points = Vec::new();
+    Ok((0..rows).map(move |row| {
+        let (span, step) = (row / (per_span + 1), row % (per_span + 1));
+        if step == 0 {
+            points.resize(per_span + 1, [0.0; D]);
+            curve.sample_span(span, &mut points);
+        }
+        // The points are those of this span.
+        let point = points.get(step).copied().unwrap_or([0.0; D]);
+        Sample { span, u: step as f64 / per_span as f64, point }
+    }))
 }
 
 /// A point of a curve with its place on it.

@@ -2,8 +2,10 @@
 //!
 //! A derivative makes noise worse, so that measured points are smoothed above all for their slopes (section 2.3.8).
 
+use super::binomial::equal_steps;
+use super::point::scaled_difference;
 use super::smooth::spline_points;
-use super::{Bezier, Closure, Curve, GeometryError, ParamCurve, Point, Smoothing, Stage};
+use super::{Closure, Curve, GeometryError, ParamCurve, Point, Smoothing, Stage};
 
 /// What rounding leaves of a run of zero, relative to the rise.
 const UPRIGHT: f64 = 1e-12;
@@ -52,8 +54,8 @@ pub fn smoothed_tangents<const D: usize>(
             };
             Ok((0..n).map(tangent).collect())
         }
-        Stage::Bezier => bezier_tangents(measured, measured.len()),
-        Stage::Both => bezier_tangents(&spline_points(measured, degree, density)?, measured.len()),
+        Stage::Bezier => Ok(bezier_tangents(measured.to_vec(), measured.len())),
+        Stage::Both => Ok(bezier_tangents(spline_points(measured, degree, density)?, measured.len())),
     }
 }
 
@@ -67,15 +69,19 @@ fn side<const D: usize>(points: &[Point<D>], index: usize) -> Point<D> {
 }
 
 /// The tangents at `0, 1 / (n - 1), ..., 1` of the Bézier curve by these control points.
-fn bezier_tangents<const D: usize>(control: &[Point<D>], n: usize) -> Result<Vec<Point<D>>, GeometryError> {
-    let curve = Bezier::new(Closure::Open, control)?;
-    let last = n.saturating_sub(1).max(1) as f64;
-    Ok((0..n).map(|index| curve.derivative(index as f64 / last)).collect())
+fn bezier_tangents<const D: usize>(mut control: Vec<Point<D>>, n: usize) -> Vec<Point<D>> {
+    // The derivative is the curve by the sides of the polygon, times the degree.
+    let degree = control.len().saturating_sub(1) as f64;
+    for k in 1..control.len() {
+        control[k - 1] = scaled_difference(degree, control[k - 1], control[k]);
+    }
+    control.pop();
+    equal_steps(&control, n)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Degree, smooth};
+    use super::super::{Bezier, Degree, smooth};
     use super::*;
     use proptest::prelude::*;
 

@@ -11,14 +11,16 @@
 //! middle of a span when the degree is 2), on the Bézier curve by `n` points `i / (n - 1)`. There is no
 //! smoothing of closed curves.
 
+use super::binomial::equal_steps;
 use super::point::{check_count, check_points, norm};
-use super::{Bezier, Closure, Curve, GeometryError, Method, ParamCurve, Point};
+use super::{Closure, Curve, GeometryError, Method, ParamCurve, Point};
 
 /// The fewest measured points that can be smoothed.
 pub const FEWEST_MEASURED: usize = 3;
 
-/// The largest number of control points of the Bézier curve that smooths: seconds of work.
-pub const MAX_FILTERED: usize = 1 << 15;
+/// The largest number of control points of the Bézier curve that smooths, [`DENSITY`] for every point of the longest row
+/// ([`MAX_POINTS`](super::MAX_POINTS)): they stand in memory together, a quarter of a gigabyte in the plane.
+pub const MAX_FILTERED: usize = 1 << 24;
 
 /// The usual number of points of the B-spline for every measured one. The noisy Gauss curve of the
 /// samples comes nearest to the clean one by about this many.
@@ -195,8 +197,8 @@ pub fn smooth<const D: usize>(
     let Smoothing { degree, stage, density } = smoothing;
     let points = match stage {
         Stage::BSpline => spline_points(measured, degree, 1)?,
-        Stage::Bezier => filtered(measured, measured.len())?,
-        Stage::Both => filtered(&spline_points(measured, degree, density)?, measured.len())?,
+        Stage::Bezier => equal_steps(measured, measured.len()),
+        Stage::Both => equal_steps(&spline_points(measured, degree, density)?, measured.len()),
     };
     let none = GeometryError::TooFewPoints { given: 0, needed: FEWEST_MEASURED };
     let residuals = Residuals::between(measured, &points).ok_or(none)?;
@@ -243,15 +245,9 @@ pub(super) fn spline_points<const D: usize>(
     Ok(parameters.filter_map(at).collect())
 }
 
-/// The points at `0, 1 / (n - 1), ..., 1` of the Bézier curve by these control points.
-fn filtered<const D: usize>(control: &[Point<D>], n: usize) -> Result<Vec<Point<D>>, GeometryError> {
-    let curve = Bezier::new(Closure::Open, control)?;
-    let last = n.saturating_sub(1).max(1) as f64;
-    Ok((0..n).map(|index| curve.eval(index as f64 / last)).collect())
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::{Bezier, MAX_POINTS};
     use super::*;
     use proptest::prelude::*;
 
@@ -379,11 +375,15 @@ mod tests {
 
     #[test]
     fn the_usual_density_keeps_the_limit() {
-        for (n, density) in [(3, 16), (2048, 16), (2049, 15), (2500, 13), (32768, 1), (40000, 1)] {
+        for n in [3, 2048, 2049, 1_000_000, MAX_POINTS] {
+            assert_eq!(Smoothing::of(n).density, DENSITY, "{n}");
+            assert!(check_density(n, DENSITY).is_ok(), "{n}");
+        }
+        for (n, density) in [(2 * MAX_POINTS, 8), (MAX_FILTERED, 1), (2 * MAX_FILTERED, 1)] {
             assert_eq!(Smoothing::of(n).density, density, "{n}");
             assert_eq!(check_density(n, density).is_ok(), n <= MAX_FILTERED, "{n}");
         }
-        assert!(check_density(2500, 14).is_err());
+        assert!(check_density(MAX_POINTS, DENSITY + 1).is_err());
     }
 
     #[test]
@@ -397,7 +397,7 @@ mod tests {
         assert!(matches!(many, Err(GeometryError::TooManyPoints { most: MAX_FILTERED, .. })));
         let bad = smooth(&[[0.0], [f64::NAN], [1.0]], Smoothing::default());
         assert_eq!(bad, Err(GeometryError::NotFinite { number: 2 }));
-        let many = smooth(&vec![[0.0]; MAX_FILTERED + 1], staged(Stage::Bezier));
+        let many = smooth(&vec![[0.0]; MAX_POINTS + 1], staged(Stage::Bezier));
         assert!(matches!(many, Err(GeometryError::TooManyPoints { .. })));
     }
 
@@ -432,6 +432,22 @@ mod tests {
                 let smoothed = smooth(&line, Smoothing { degree, density, stage: Stage::Both }).unwrap();
                 prop_assert!(smoothed.residuals.largest < 0.35 * norm(step) + 1e-10);
             }
+        }
+
+        /// By a sum over all weights for every point, as it once was.
+        #[test]
+        fn the_curve_is_that_of_all_its_control_points(
+            points in prop::collection::vec(prop::array::uniform2(-300.0..300.0f64), 3..400),
+            density in 1usize..20,
+            cubic: bool,
+        ) {
+            let degree = if cubic { Degree::Cubic } else { Degree::Quadratic };
+            let ours = smooth(&points, Smoothing { degree, density, stage: Stage::Both }).unwrap().points;
+            let control = spline_points(&points, degree, density).unwrap();
+            let curve = Bezier::new(Closure::Open, &control).unwrap();
+            let last = (points.len() - 1) as f64;
+            let theirs: Vec<Point<2>> = (0..points.len()).map(|i| curve.eval(i as f64 / last)).collect();
+            assert_near(&ours, &theirs, 1e-10);
         }
 
         #[test]

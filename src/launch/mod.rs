@@ -20,7 +20,7 @@ mod outlet;
 pub mod progress;
 mod table;
 
-pub use cloud::open_cloud;
+pub use cloud::{CloudFile, CloudSurvey, open_cloud};
 pub use completions::{ShellName, complete, completed, registration, words};
 pub use config::{configure, settings};
 pub use display::{has_terminal, in_terminal};
@@ -31,7 +31,7 @@ pub use meant::meant;
 pub use open::{Opened, input_kind, kind_of, open, open_as};
 use open::{Tables, folder_of, open_in};
 pub use options::{DisplayKind, Options, RunOptions};
-pub use outlet::{Overwrite, Target, answer, say, write_file, write_output};
+pub use outlet::{Broken, Overwrite, Sort, Target, answer, say, write_file, write_output};
 pub use table::TableArgs;
 
 use crate::file::{Document, Format};

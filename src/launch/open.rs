@@ -137,7 +137,7 @@ fn of_path<T>(
 }
 
 /// Whether a file is larger than all but clouds of points.
-fn is_large(path: &Path) -> bool {
+pub(super) fn is_large(path: &Path) -> bool {
     std::fs::metadata(path).is_ok_and(|about| about.is_file() && about.len() > LARGEST_FILE)
 }
 

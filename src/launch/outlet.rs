@@ -1,11 +1,11 @@
 //! Where scripts and commands write: files named on the command line.
 
 use super::{Failure, in_language, spoken};
-use crate::disk::{reason, write_safely};
+use crate::disk::{reason, write_safely, write_safely_with};
 use crate::figure::screen_png;
 use crate::machine::Outlet;
 use crate::screen::{Screen, visible};
-use std::io::{BufRead, ErrorKind, IsTerminal, Write};
+use std::io::{self, BufRead, BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 
 /// Writes a script's pictures and models to disk.
@@ -27,15 +27,8 @@ impl Outlet for Disk {
 /// # Errors
 /// [`Failure`] when it cannot be written; a reader that has gone away ends the command quietly.
 pub fn write_output(content: &[u8]) -> Result<(), Failure> {
-    let mut stdout = std::io::stdout().lock();
-    if stdout.is_terminal() && is_binary(content) {
-        return Err(Failure::usage(BINARY));
-    }
-    let written = stdout.write_all(content).and_then(|()| stdout.flush());
-    written.map_err(|error| match error.kind() {
-        ErrorKind::BrokenPipe => Failure::unread(),
-        _ => Failure::work(format!("standard output: {}", reason(&error))),
-    })
+    let sort = if is_binary(content) { Sort::Binary } else { Sort::Text };
+    output_with(sort, |stdout| Ok(stdout.write_all(content)?))
 }
 
 /// Writes a file that a command line names, whatever is there.
@@ -43,11 +36,70 @@ pub fn write_output(content: &[u8]) -> Result<(), Failure> {
 /// # Errors
 /// [`Failure`] when it cannot be written; a reader that has gone away ends the command quietly.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    write_safely(path, content).map_err(|error| match error.kind() {
-        ErrorKind::BrokenPipe => Failure::unread(),
-        _ => Failure::work(format!("{}: {}", path.display(), reason(&error))),
-    })
+    file_with(path, |file| Ok(file.write_all(content)?))
 }
+
+/// What is written piece by piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sort {
+    /// Text.
+    Text,
+    /// What no terminal shows.
+    Binary,
+}
+
+/// Why a content breaks off that is written piece by piece.
+#[derive(Debug)]
+pub enum Broken {
+    /// It cannot be written.
+    Unwritten(io::Error),
+    /// It has an end of its own.
+    Failed(Failure),
+}
+
+impl From<io::Error> for Broken {
+    fn from(error: io::Error) -> Broken {
+        Broken::Unwritten(error)
+    }
+}
+
+impl From<Failure> for Broken {
+    fn from(failure: Failure) -> Broken {
+        Broken::Failed(failure)
+    }
+}
+
+impl Broken {
+    fn into_failure(self, name: &str) -> Failure {
+        match self {
+            Broken::Failed(failure) => failure,
+            Broken::Unwritten(error) if error.kind() == ErrorKind::BrokenPipe => Failure::unread(),
+            Broken::Unwritten(error) => Failure::work(format!("{name}: {}", reason(&error))),
+        }
+    }
+}
+
+fn output_with(
+    sort: Sort,
+    content: impl FnOnce(&mut dyn Write) -> Result<(), Broken>,
+) -> Result<(), Failure> {
+    let stdout = io::stdout().lock();
+    if sort == Sort::Binary && stdout.is_terminal() {
+        return Err(Failure::usage(BINARY));
+    }
+    let mut pieces = BufWriter::with_capacity(PIECE, stdout);
+    let written = content(&mut pieces).and_then(|()| Ok(pieces.flush()?));
+    // What could not be written is not tried again.
+    let _ = pieces.into_parts();
+    written.map_err(|broken| broken.into_failure("standard output"))
+}
+
+fn file_with(path: &Path, content: impl FnOnce(&mut dyn Write) -> Result<(), Broken>) -> Result<(), Failure> {
+    write_safely_with(path, content).map_err(|broken| broken.into_failure(&path.display().to_string()))
+}
+
+/// How much is written to standard output at a time.
+const PIECE: usize = 1 << 16;
 
 /// What is said instead of filling a terminal with signs that are none.
 const BINARY: &str = "this is not text, and standard output is a terminal: name a file, as in -o FILE, or redirect it, \
@@ -135,6 +187,28 @@ impl Target<'_> {
             Some(path) => write_file(path, content),
             None => write_output(content),
         }
+    }
+
+    /// Writes a content that need not stand in memory, piece by piece. A file gets its name when all of it is there.
+    ///
+    /// # Errors
+    /// Those of [`Overwrite::write`], and what the content itself fails with.
+    pub fn write_with(
+        &self,
+        sort: Sort,
+        content: impl FnOnce(&mut dyn Write) -> Result<(), Broken>,
+    ) -> Result<(), Failure> {
+        match self.path {
+            Some(path) if self.spares && path.is_file() => Err(stays(path)),
+            Some(path) => file_with(path, content),
+            None => output_with(sort, content),
+        }
+    }
+
+    /// Whether what is written is seen at once, so that nothing else may be drawn there.
+    #[must_use]
+    pub fn is_seen(&self) -> bool {
+        self.path.is_none() && io::stdout().is_terminal()
     }
 }
 

@@ -45,10 +45,13 @@ pub(crate) fn slope_names<const D: usize>() -> Vec<String> {
     ["y", "z"].into_iter().take(D.saturating_sub(1)).map(|axis| format!("d{axis}/dx")).collect()
 }
 
+/// A row of numbers, or why there is none.
+pub(crate) type Row = Result<Vec<Option<f64>>, Failure>;
+
 /// Rows of numbers below the names of their columns.
 pub(crate) struct Rows {
     pub(crate) header: Vec<String>,
-    pub(crate) rows: Vec<Vec<Option<f64>>>,
+    pub(crate) rows: Box<dyn Iterator<Item = Row>>,
 }
 
 /// Points with so many derivatives at these parameters: by the knots of a curve that has some, by the position of a curve
@@ -77,32 +80,42 @@ pub(crate) fn rows(design: &Design, shape: &Shape, at: &[f64], columns: Columns)
 pub(crate) fn steps(design: &Design, per_span: usize, columns: Columns) -> Result<Option<Rows>, Failure> {
     let Design::Knots(document) = design else { return Ok(None) };
     match knots::curve(document).map_err(Failure::work)? {
-        knots::Curve::Plane(curve) => spans(&curve, per_span, columns).map(Some),
-        knots::Curve::Space(curve) => spans(&curve, per_span, columns).map(Some),
+        knots::Curve::Plane(curve) => Ok(Some(spans(curve, per_span, columns))),
+        knots::Curve::Space(curve) => Ok(Some(spans(curve, per_span, columns))),
     }
 }
 
-fn spans<const D: usize>(curve: &KnotCurve<D>, per_span: usize, columns: Columns) -> Result<Rows, Failure> {
-    let (vector, knots) = (curve.vector(), curve.vector().knots());
-    let part = |span: usize, k: usize| {
+fn spans<const D: usize>(curve: KnotCurve<D>, per_span: usize, columns: Columns) -> Rows {
+    let knots = curve.vector().knots().to_vec();
+    let part = move |span: usize, k: usize| {
         let t = k as f64 / per_span as f64;
         (1.0 - t) * knots[span] + t * knots[span + 1]
     };
-    let inner = vector.filled_spans().iter().flat_map(|&span| (0..per_span).map(move |k| (span, k)));
-    let at: Vec<f64> =
-        inner.map(|(span, k)| part(span, k)).chain(std::iter::once(vector.domain()[1])).collect();
-    table(&at, columns, |u| by_knots(curve, u, columns))
+    let filled = curve.vector().filled_spans().to_vec();
+    let inner = filled.into_iter().flat_map(move |span| (0..per_span).map(move |k| (span, k)));
+    let end = std::iter::once(curve.vector().domain()[1]);
+    let at = inner.map(move |(span, k)| part(span, k)).chain(end);
+    let row = move |u| Ok(numbered(u, columns, &by_knots(&curve, u, columns)?));
+    Rows { header: header::<D>(columns), rows: Box::new(at.map(row)) }
 }
 
+/// Rows for given parameters; that of each is there before the first is written.
 fn table<const D: usize>(
     at: &[f64],
     columns: Columns,
     row: impl Fn(f64) -> Result<Vec<Point<D>>, Failure>,
 ) -> Result<Rows, Failure> {
-    let header = std::iter::once("u".to_owned()).chain(columns.names::<D>()).collect();
-    let numbers = |&u: &f64| Ok(std::iter::once(Some(u)).chain(columns.numbers(&row(u)?)).collect());
-    let rows = at.iter().map(numbers).collect::<Result<_, Failure>>()?;
-    Ok(Rows { header, rows })
+    let rows: Vec<Vec<Option<f64>>> =
+        at.iter().map(|&u| Ok(numbered(u, columns, &row(u)?))).collect::<Result<_, Failure>>()?;
+    Ok(Rows { header: header::<D>(columns), rows: Box::new(rows.into_iter().map(Ok)) })
+}
+
+fn header<const D: usize>(columns: Columns) -> Vec<String> {
+    std::iter::once("u".to_owned()).chain(columns.names::<D>()).collect()
+}
+
+fn numbered<const D: usize>(u: f64, columns: Columns, points: &[Point<D>]) -> Vec<Option<f64>> {
+    std::iter::once(Some(u)).chain(columns.numbers(points)).collect()
 }
 
 fn by_knots<const D: usize>(

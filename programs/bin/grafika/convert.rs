@@ -4,8 +4,8 @@ use crate::source::{Source, is_stream, kind_by_extension, output_kind};
 use clap::Args;
 use grafika::design::{self, NetDesign};
 use grafika::file::ec::EcDocument;
-use grafika::file::{CloudFormat, Document, FileKind, Format, Method, PlanePoints};
-use grafika::launch::{Failure, Opened, Overwrite, say};
+use grafika::file::{CloudFormat, CloudWriter, Document, FileKind, Format, Method, PlanePoints};
+use grafika::launch::{Broken, CloudFile, CloudSurvey, Failure, Opened, Overwrite, Sort, say};
 use grafika::machine::Language;
 use grafika::work;
 use std::path::{Path, PathBuf};
@@ -38,6 +38,11 @@ impl Convert {
             FileKind::Dos(format) => CloudFormat::of(format).is_some(),
             FileKind::Json | FileKind::Csv => false,
         };
+        // A cloud of which another one is made is not kept in memory.
+        let rows = cloud || matches!(to, FileKind::Json | FileKind::Csv);
+        if let Some(file) = self.source.cloud_file(cloud).filter(|_| rows) {
+            return self.stream(&file, to);
+        }
         let (name, document) = match self.source.kind() {
             // Of a table that becomes a cloud, columns behind the coordinates are passed over.
             Some(FileKind::Csv) if cloud => self.source.open_cloud()?,
@@ -93,6 +98,34 @@ impl Convert {
             say("grafika", &format!("{target} has no place for: {}", lost.join(", ")));
         }
         Ok(())
+    }
+}
+
+impl Convert {
+    /// Converts a cloud row by row. It is read twice: how many points there are, and whether they lie in the plane, is
+    /// written first.
+    fn stream(&self, file: &CloudFile, to: FileKind) -> Result<(), Failure> {
+        let (name, output) = (file.name(), self.output.display());
+        let CloudSurvey { count, plane, skipped } = file.survey()?;
+        for told in skipped.told() {
+            say("grafika", &format!("{name}: left out: {told}"));
+        }
+        let mut writer = CloudWriter::new(to, count, plane)
+            .map_err(|error| Failure::work(format!("{name} as {output}: {error}")))?;
+        let sort = if to == FileKind::Dos(Format::Ply) { Sort::Binary } else { Sort::Text };
+        self.overwrite.target(Some(&self.output))?.write_with(sort, |out| {
+            let mut written = 0;
+            writer.begin(out)?;
+            file.points(|points| {
+                written += points.len();
+                writer.points(out, points).map_err(Broken::from)
+            })?;
+            if written != count {
+                let problem = "it has changed while it was read; it is left unconverted";
+                return Err(Failure::work(format!("{name}: {problem}")).into());
+            }
+            Ok(writer.end(out)?)
+        })
     }
 }
 

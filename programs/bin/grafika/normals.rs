@@ -1,9 +1,12 @@
 //! What the commands tell of surfaces with Pythagorean normals: quantities, measures and offsets.
 
+use crate::at::Row;
 use crate::curve::failure;
 use grafika::design::{DesignError, NetDesign};
 use grafika::file::{Document, PatchItem, Patches, number};
-use grafika::geometry::{Jacobian, ParamSurface, PnSurface, RadiusRange, SafeDistances};
+use grafika::geometry::{
+    Jacobian, ParamSurface, PnSurface, RadiusRange, SafeDistances, SurfaceSample, surface_samples,
+};
 use grafika::launch::Failure;
 use serde_json::{Value, json};
 
@@ -23,17 +26,19 @@ pub(crate) fn surface(net: &NetDesign, name: &str) -> Result<PnSurface, Failure>
 }
 
 /// Points, unit normals and radii of curvature at equal steps of every patch.
-pub(crate) fn quantities(surface: &PnSurface, per_span: usize) -> Result<Vec<Vec<Option<f64>>>, Failure> {
-    let samples = surface.sample(per_span).map_err(Failure::work)?;
-    let row = |sample: grafika::geometry::SurfaceSample| {
+pub(crate) fn quantities(
+    surface: &PnSurface,
+    per_span: usize,
+) -> Result<impl Iterator<Item = Row> + '_, Failure> {
+    let row = |sample: SurfaceSample| {
         let place = surface.place(sample.spans, sample.parameters)?;
         let spans = sample.spans.map(|span| span as f64);
         let parts = spans.into_iter().chain(sample.parameters).chain(place.point).chain(place.normal);
         Some(parts.chain(place.radii).map(Some).collect())
     };
-    samples.into_iter().map(row).collect::<Option<Vec<_>>>().ok_or_else(|| {
-        Failure::work("a radius of curvature is too large for doubles: the surface is nearly flat somewhere")
-    })
+    let flat = "a radius of curvature is too large for doubles: the surface is nearly flat somewhere";
+    let samples = surface_samples(surface, per_span).map_err(Failure::work)?;
+    Ok(samples.map(move |sample| row(sample).ok_or_else(|| Failure::work(flat))))
 }
 
 /// Between which distances offsets have no local folds, and every patch with its sign and its radii of curvature. A

@@ -157,7 +157,7 @@ impl OffsetArgs {
         let content = match wanted.as_deref() {
             None | Some("json" | "rbs") => normals::written(&offset)?.into_bytes(),
             Some("csv") => {
-                let rows = normals::quantities(&offset, steps)?;
+                let rows = normals::quantities(&offset, steps)?.collect::<Result<Vec<_>, _>>()?;
                 quantity_csv(&normals::QUANTITIES, &rows).into_bytes()
             }
             Some(other) => {

@@ -52,13 +52,13 @@ impl PhShape {
     }
 
     /// Places at `u = 0, 1/steps, ... 1` of every span.
-    pub(crate) fn by_parameter(&self, steps: usize) -> Result<Vec<Place>, Failure> {
+    pub(crate) fn by_parameter(&self, steps: usize) -> Result<impl Iterator<Item = Place> + use<>, Failure> {
         let most = (MAX_SAMPLES / self.spans().max(1)).saturating_sub(1);
         if steps > most {
             return Err(Failure::work(grafika::geometry::GeometryError::Samples { per_span: steps, most }));
         }
-        let of_span = |span| (0..=steps).map(move |k| Place { span, u: k as f64 / steps as f64 });
-        Ok((0..self.spans()).flat_map(of_span).collect())
+        let of_span = move |span| (0..=steps).map(move |k| Place { span, u: k as f64 / steps as f64 });
+        Ok((0..self.spans()).flat_map(of_span))
     }
 
     /// Places at equal lengths.

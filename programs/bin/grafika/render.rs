@@ -24,7 +24,7 @@ use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
-use grafika::launch::{Failure, Overwrite, progress, say, words};
+use grafika::launch::{Failure, Overwrite, Sort, progress, say, words};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -101,6 +101,12 @@ impl Render {
         let (design, shape) = self.curve.shape()?;
         self.check_joints(&shape)?;
         let exact = self.exact(&design)?;
+        if exact.is_none()
+            && format.is_model()
+            && let Some(written) = self.modelled(&design, &shape, format)?
+        {
+            return Ok(written);
+        }
         let alive = progress::alive("drawing");
         if let Some(curve) = exact {
             let content = self.ph(&design, &curve, format)?;
@@ -112,28 +118,43 @@ impl Render {
         self.overwrite.write(Some(&self.output), &content)
     }
 
+    /// Writes a model of a surface, if it is one that is asked for. A mesh need not stand in memory.
+    fn modelled(&self, design: &Design, shape: &Shape, format: Format) -> Result<Option<()>, Failure> {
+        match (design, shape) {
+            (Design::Net(net), Shape::Surface(_)) => {
+                self.check_model(format)?;
+                let (solid, offsets) = (net.solid().map_err(Failure::work)?, self.offsets(net)?);
+                let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
+                self.model(&std::iter::once(&*solid).chain(offsets).collect::<Vec<_>>(), format).map(Some)
+            }
+            (Design::Patches(_) | Design::KnotNet(_), Shape::Surface(surface)) => {
+                self.check_model(format)?;
+                self.model(&[&**surface], format).map(Some)
+            }
+            (Design::Ec(_), Shape::Parts(parts)) if !self.has_other_tolerance(format) => {
+                self.model_of_parts(parts, format).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Whether a tolerance is given that the format has none of.
+    fn has_other_tolerance(&self, format: Format) -> bool {
+        self.tolerance.is_some() && format != Format::Step
+    }
+
     /// What is written.
     fn content(&self, design: Design, shape: &Shape, format: Format) -> Result<Vec<u8>, Failure> {
         if let (Design::Net(net), Shape::Surface(surface)) = (&design, shape) {
-            if !format.is_model() {
-                self.check_wires()?;
-                let offsets = self.offsets(net)?;
-                let all: Vec<&dyn ParamSurface> = std::iter::once(&**surface)
-                    .chain(offsets.iter().map(|offset| offset as &dyn ParamSurface))
-                    .collect();
-                let steps = steps::of_surfaces(self.per_span, &all, For::Picture);
-                return self.picture(&self.wireframe(net, &**surface, &offsets, steps)?, format);
-            }
-            self.check_model(format)?;
-            let (solid, offsets) = (net.solid().map_err(Failure::work)?, self.offsets(net)?);
-            let offsets = offsets.iter().map(|offset| offset as &dyn ParamSurface);
-            return self.model(&std::iter::once(&*solid).chain(offsets).collect::<Vec<_>>(), format);
+            self.check_wires()?;
+            let offsets = self.offsets(net)?;
+            let all: Vec<&dyn ParamSurface> = std::iter::once(&**surface)
+                .chain(offsets.iter().map(|offset| offset as &dyn ParamSurface))
+                .collect();
+            let steps = steps::of_surfaces(self.per_span, &all, For::Picture);
+            return self.picture(&self.wireframe(net, &**surface, &offsets, steps)?, format);
         }
         if let (Design::Patches(_) | Design::KnotNet(_), Shape::Surface(surface)) = (&design, shape) {
-            if format.is_model() {
-                self.check_model(format)?;
-                return self.model(&[&**surface], format);
-            }
             self.check_wires()?;
             let steps = steps::of_surfaces(self.per_span, &[&**surface], For::Picture);
             let (mut figure, view, bounds) = self.wires(&[&**surface], SPACE_VIEW, steps)?;
@@ -153,7 +174,7 @@ impl Render {
             self.check_curve().and_then(|()| self.check_model(format))?;
             return self.step(&[curve]);
         }
-        if self.tolerance.is_some() && format != Format::Step {
+        if self.has_other_tolerance(format) {
             return Err(Failure::usage("--tolerance is for .step"));
         }
         if let (Design::Ec(document), Shape::Parts(parts)) = (&design, shape) {
@@ -393,8 +414,8 @@ impl Render {
         }
     }
 
-    /// Surfaces as a model.
-    fn model(&self, surfaces: &[&dyn ParamSurface], format: Format) -> Result<Vec<u8>, Failure> {
+    /// Writes surfaces as a model.
+    fn model(&self, surfaces: &[&dyn ParamSurface], format: Format) -> Result<(), Failure> {
         if format == Format::Step
             && self.tolerance.is_some()
             && surfaces.iter().all(|surface| surface.to_bspline().is_some())
@@ -413,11 +434,15 @@ impl Render {
             tolerance: self.tolerance.unwrap_or(MODEL_TOLERANCE),
             name: &name.unwrap_or_default(),
         };
-        let (content, warning) = model.encode(surfaces, &options).map_err(Failure::work)?;
-        if let Some(warning) = warning {
-            say("grafika", &warning);
+        let sort = if model.is_text() { Sort::Text } else { Sort::Binary };
+        let alive = progress::alive("drawing");
+        let model = model.model(surfaces, &options).map_err(Failure::work)?;
+        drop(alive);
+        if let Some(note) = &model.note {
+            say("grafika", note);
         }
-        Ok(content)
+        let target = self.overwrite.target(Some(&self.output))?;
+        target.write_with(sort, |out| Ok(model.write(out)?))
     }
 
     /// The visible lines of a surface, with its net over them.

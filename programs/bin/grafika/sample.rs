@@ -1,6 +1,6 @@
 //! `grafika sample`: points of a curve or a surface as CSV or JSON.
 
-use crate::at::{self, Columns};
+use crate::at::{self, Columns, Row};
 use crate::curve::CurveArgs;
 use crate::normals;
 use crate::numbers::Numbers;
@@ -10,12 +10,13 @@ use crate::steps::{self, For};
 use clap::Args;
 use grafika::design::ec::EcShapes;
 use grafika::design::{Design, Shape};
-use grafika::figure::{
-    CurveRow, curve_csv, curve_json, quantity_csv, quantity_json, surface_csv, surface_json,
-};
+use grafika::figure::{TableFormat, write_curve, write_quantities, write_surface};
 use grafika::geometry::skin::Outline;
-use grafika::geometry::{ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample};
-use grafika::launch::{Failure, Overwrite, progress};
+use grafika::geometry::{
+    ParamCurve, ParamSurface, Point, Sample as Place, SurfaceSample, samples, surface_samples,
+};
+use grafika::launch::{Broken, Failure, Overwrite, Sort, progress};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Steps a span of a surface, as most programs of the book draw them.
@@ -72,40 +73,53 @@ enum Items {
 }
 
 impl Sample {
-    /// Samples and writes.
+    /// Samples and writes, row by row.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         if self.quantities || self.uniform.is_some() {
             self.check_items(false)?;
             let (design, name) = self.curve.design()?;
-            let text = self.exact(&design, &name)?;
-            return self.overwrite.write(self.output.as_deref(), text.as_bytes());
+            return self.exact(&design, &name);
         }
         let (design, shape) = self.curve.shape()?;
         self.check_items(matches!(shape, Shape::Parts(_)))?;
         let columns = Columns { derivatives: usize::from(self.derivatives), slopes: self.slopes };
-        let alive = progress::alive("sampling");
         let own = match &self.at {
             Some(Numbers(at)) => Some(at::rows(&design, &shape, at, columns)?),
             None => at::steps(&design, self.per_span.unwrap_or(50) as usize, columns)?,
         };
         if let Some(own) = own {
             let header: Vec<&str> = own.header.iter().map(String::as_str).collect();
-            let text = self.table(
-                &own.rows,
-                |rows| quantity_csv(&header, rows),
-                |rows| quantity_json(&header, 0, rows),
-            )?;
-            return self.overwrite.write(self.output.as_deref(), text.as_bytes());
+            return self.quantities(&header, 0, own.rows);
         }
-        let text = match shape {
-            Shape::Plane(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
-            Shape::Space(curve) => self.curve_text([(0, &*curve, 1.0)].into_iter()),
-            Shape::Surface(surface) => self.surface_text([(0, &*surface)].into_iter()),
+        match shape {
+            Shape::Plane(curve) => self.curves(&[(0, &*curve, 1.0)]),
+            Shape::Space(curve) => self.curves(&[(0, &*curve, 1.0)]),
+            Shape::Surface(surface) => self.surfaces(&[(0, &*surface)]),
             Shape::Parts(parts) => self.parts(&parts),
             Shape::Outlines(outlines) => self.outlines(&outlines),
-        }?;
-        drop(alive);
-        self.overwrite.write(self.output.as_deref(), text.as_bytes())
+        }
+    }
+
+    /// Writes a table, with a sign of life where it does not disturb.
+    fn write(
+        &self,
+        rows: impl FnOnce(&mut dyn Write, TableFormat) -> Result<(), Broken>,
+    ) -> Result<(), Failure> {
+        let format = self.format()?;
+        let target = self.overwrite.target(self.output.as_deref())?;
+        let _alive = (!target.is_seen()).then(|| progress::alive("sampling"));
+        target.write_with(Sort::Text, |out| rows(out, format))
+    }
+
+    /// Writes rows of numbers below these names.
+    fn quantities(
+        &self,
+        header: &[&str],
+        counted: usize,
+        rows: impl Iterator<Item = Row>,
+    ) -> Result<(), Failure> {
+        let rows = rows.map(|row| row.map_err(Broken::from));
+        self.write(|out, format| write_quantities(out, format, header, counted, rows))
     }
 
     fn check_items(&self, scene: bool) -> Result<(), Failure> {
@@ -118,35 +132,33 @@ impl Sample {
     }
 
     /// What only PH curves know exactly.
-    fn exact(&self, design: &Design, name: &str) -> Result<String, Failure> {
+    fn exact(&self, design: &Design, name: &str) -> Result<(), Failure> {
         if let (Design::Net(net), None) = (design, self.uniform) {
-            let alive = progress::alive("sampling");
             let surface = normals::surface(net, name)?;
             let steps = steps::of_surfaces(self.per_span, &[&surface], For::Points);
-            let rows = normals::quantities(&surface, steps)?;
-            drop(alive);
-            let header = normals::QUANTITIES;
-            return self.table(
-                &rows,
-                |rows| quantity_csv(&header, rows),
-                |rows| quantity_json(&header, 2, rows),
-            );
+            // What cannot be told is known before anything is written.
+            if let Some(Err(failure)) = normals::quantities(&surface, steps)?.find(Result::is_err) {
+                return Err(failure);
+            }
+            return self.quantities(&normals::QUANTITIES, 2, normals::quantities(&surface, steps)?);
         }
         let shape = PhShape::of(design, name)?;
-        let places = match self.uniform {
-            Some(steps) => shape.by_length(steps as usize)?,
-            None => shape.by_parameter(self.per_span.unwrap_or(50) as usize)?,
-        };
-        let alive = progress::alive("sampling");
         let header = shape.header(self.quantities);
-        let rows: Vec<Vec<Option<f64>>> =
-            places.into_iter().map(|place| shape.row(place, self.quantities)).collect();
-        drop(alive);
-        self.table(&rows, |rows| quantity_csv(&header, rows), |rows| quantity_json(&header, 1, rows))
+        let row = |place| Ok(shape.row(place, self.quantities));
+        match self.uniform {
+            Some(steps) => {
+                let places = shape.by_length(steps as usize)?;
+                self.quantities(&header, 1, places.into_iter().map(row))
+            }
+            None => {
+                let places = shape.by_parameter(self.per_span.unwrap_or(50) as usize)?;
+                self.quantities(&header, 1, places.map(row))
+            }
+        }
     }
 
     /// The curves or the surfaces of a scene, numbered in their order.
-    fn parts(&self, parts: &EcShapes) -> Result<String, Failure> {
+    fn parts(&self, parts: &EcShapes) -> Result<(), Failure> {
         let items = match (self.items, parts.curves.is_empty(), parts.patches.is_empty()) {
             (Some(items), ..) => items,
             (None, false, false) => {
@@ -165,104 +177,92 @@ impl Sample {
         match items {
             Items::Curves => {
                 let curves = parts.curves.iter().enumerate();
-                self.curve_text(curves.map(|(k, arc)| (k, arc as &dyn ParamCurve<3>, arc.basis().length())))
+                let curves = curves.map(|(k, arc)| (k, arc as &dyn ParamCurve<3>, arc.basis().length()));
+                self.curves(&curves.collect::<Vec<_>>())
             }
             Items::Surfaces => {
                 let patches = parts.patches.iter().enumerate();
-                self.surface_text(patches.map(|(k, patch)| (k, patch as &dyn ParamSurface)))
+                let patches = patches.map(|(k, patch)| (k, patch as &dyn ParamSurface));
+                self.surfaces(&patches.collect::<Vec<_>>())
             }
         }
     }
 
     /// The outlines of a skin, with their pieces numbered in their order.
-    fn outlines(&self, outlines: &[Outline]) -> Result<String, Failure> {
+    fn outlines(&self, outlines: &[Outline]) -> Result<(), Failure> {
         let firsts = outlines.iter().scan(0, |next, outline| {
             let first = *next;
             *next += outline.spans();
             Some(first)
         });
-        self.curve_text(firsts.zip(outlines).map(|(k, outline)| (k, outline as &dyn ParamCurve<2>, 1.0)))
+        let curves = firsts.zip(outlines).map(|(k, outline)| (k, outline as &dyn ParamCurve<2>, 1.0));
+        self.curves(&curves.collect::<Vec<_>>())
     }
 
     /// The points of curves, each with the number of its first span and the length of its parameter in a span, by
     /// which derivatives are taken.
-    fn curve_text<'a, const D: usize>(
-        &self,
-        curves: impl Iterator<Item = (usize, &'a dyn ParamCurve<D>, f64)>,
-    ) -> Result<String, Failure> {
+    fn curves<const D: usize>(&self, curves: &[(usize, &dyn ParamCurve<D>, f64)]) -> Result<(), Failure> {
         let steps = self.per_span.unwrap_or(50) as usize;
         let derivatives = usize::from(self.derivatives);
         let known = derivatives.max(usize::from(self.slopes));
-        let mut rows = Vec::new();
-        for (first, curve, length) in curves {
-            let samples = curve.sample(steps).map_err(Failure::work)?;
-            rows.extend(samples.into_iter().map(|Place { span, u, point }| {
-                let mut points = vec![point];
-                let derived = curve.at(span, u).filter(|_| known > 0);
-                let scaled = |(by, point): (f64, Point<D>)| point.map(|x| x / by);
-                points.extend(derived.into_iter().flat_map(|[_, first, second]| {
-                    [(length, first), (length * length, second)].map(scaled).into_iter().take(known)
-                }));
-                (first + span, u, points)
-            }));
-        }
+        let sampled = curves.iter().map(|&(first, curve, length)| {
+            samples(curve, steps).map_err(Failure::work).map(|samples| (first, curve, length, samples))
+        });
+        let rows = sampled.collect::<Result<Vec<_>, _>>()?.into_iter().flat_map(
+            |(first, curve, length, samples)| {
+                samples.map(move |Place { span, u, point }| {
+                    let mut points = vec![point];
+                    let derived = if known > 0 { curve.at(span, u) } else { None };
+                    let scaled = |(by, point): (f64, Point<D>)| point.map(|x| x / by);
+                    points.extend(derived.into_iter().flat_map(|[_, first, second]| {
+                        [(length, first), (length * length, second)].map(scaled).into_iter().take(known)
+                    }));
+                    (first + span, u, points)
+                })
+            },
+        );
         if self.slopes {
             let columns = Columns { derivatives, slopes: true };
             let names = columns.names::<D>();
             let header: Vec<&str> =
                 ["span", "u"].into_iter().chain(names.iter().map(String::as_str)).collect();
-            let numbers = |(span, u, points): &CurveRow<D>| {
-                let place = [Some(*span as f64), Some(*u)];
-                place.into_iter().chain(columns.numbers(points)).collect()
-            };
-            let rows: Vec<Vec<Option<f64>>> = rows.iter().map(numbers).collect();
-            return self.table(
-                &rows,
-                |rows| quantity_csv(&header, rows),
-                |rows| quantity_json(&header, 1, rows),
+            return self.quantities(
+                &header,
+                1,
+                rows.map(|(span, u, points)| {
+                    let place = [Some(span as f64), Some(u)];
+                    Ok(place.into_iter().chain(columns.numbers(&points)).collect())
+                }),
             );
         }
-        self.table(
-            rows.into_iter(),
-            |rows| curve_csv(derivatives, rows),
-            |rows| curve_json(derivatives, rows),
-        )
+        self.write(|out, format| Ok(write_curve(out, format, derivatives, rows)?))
     }
 
-    fn surface_text<'a>(
-        &self,
-        surfaces: impl Iterator<Item = (usize, &'a dyn ParamSurface)>,
-    ) -> Result<String, Failure> {
+    fn surfaces(&self, surfaces: &[(usize, &dyn ParamSurface)]) -> Result<(), Failure> {
         let given = [("--derivatives", self.derivatives > 0), ("--slopes", self.slopes)];
         if let Some((option, _)) = given.into_iter().find(|(_, given)| *given) {
             return Err(Failure::usage(format!("{option} is for curves; this file holds a surface")));
         }
-        let surfaces: Vec<(usize, &dyn ParamSurface)> = surfaces.collect();
         let all: Vec<&dyn ParamSurface> = surfaces.iter().map(|(_, surface)| *surface).collect();
         let steps = steps::of_surfaces(self.per_span, &all, For::Points);
-        let mut rows: Vec<SurfaceSample> = Vec::new();
-        for (first, surface) in surfaces {
-            let samples = surface.sample(steps).map_err(Failure::work)?;
-            let numbered = samples.into_iter().map(|sample| {
+        let sampled = surfaces.iter().map(|&(first, surface)| {
+            surface_samples(surface, steps).map_err(Failure::work).map(|samples| (first, samples))
+        });
+        let rows = sampled.collect::<Result<Vec<_>, _>>()?.into_iter().flat_map(|(first, samples)| {
+            samples.map(move |sample| {
                 let [i, j] = sample.spans;
                 SurfaceSample { spans: [first + i, j], ..sample }
-            });
-            rows.extend(numbered);
-        }
-        self.table(rows.into_iter(), surface_csv, surface_json)
+            })
+        });
+        self.write(|out, format| Ok(write_surface(out, format, rows)?))
     }
 
-    /// The rows in the format of the output.
-    fn table<I>(
-        &self,
-        rows: I,
-        csv: impl Fn(I) -> String,
-        json: impl Fn(I) -> String,
-    ) -> Result<String, Failure> {
+    /// The format of the output.
+    fn format(&self) -> Result<TableFormat, Failure> {
         let said = self.to.as_ref().map(|said| said.to_lowercase());
         match said.or_else(|| extension(self.output.as_deref())).as_deref() {
-            None | Some("csv") => Ok(csv(rows)),
-            Some("json") => Ok(json(rows)),
+            None | Some("csv") => Ok(TableFormat::Csv),
+            Some("json") => Ok(TableFormat::Json),
             Some(other) => {
                 Err(Failure::usage(format!("-o: samples are written as .csv or .json, not .{other}")))
             }

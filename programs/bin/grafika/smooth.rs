@@ -6,8 +6,7 @@ use clap::{Args, ValueEnum};
 use grafika::figure::{quantity_csv, quantity_json};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
 use grafika::geometry::{
-    DENSITY, GeometryError, MAX_FILTERED, Point, Residuals, Smoothed, Smoothing, Stage, smooth,
-    smoothed_tangents,
+    GeometryError, Point, Residuals, Smoothed, Smoothing, Stage, smooth, smoothed_tangents,
 };
 use grafika::launch::{Failure, Overwrite, TableArgs, answer, open_as, progress, say, write_output};
 use serde_json::{Value, json};
@@ -40,7 +39,7 @@ pub(crate) struct Smooth {
     #[arg(long, value_enum, value_name = "STAGE", default_value_t = StageName::Both)]
     stage: StageName,
     /// Points of the B-spline for every measured point that the Bézier curve approaches; more smooth less
-    /// [default: 16, of many measured points fewer]
+    /// [default: 16]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     density: Option<u32>,
     /// Write the slopes of the smooth curve at the points too, dy/dx and in space dz/dx; for .csv and .json
@@ -92,16 +91,16 @@ impl Smooth {
         let alive = progress::alive("smoothing");
         let failure = |error: GeometryError| Failure::work(format!("{}: {}", opened.name, self.said(&error)));
         let sloped;
-        let (document, residuals, measured) = match &opened.document {
+        let (document, residuals) = match &opened.document {
             Document::PlanePoints(plane) => {
                 let Smoothed { points, residuals } = self.smoothed(&plane.points).map_err(failure)?;
                 sloped = self.sloped(&plane.points, &points, kind).map_err(failure)?;
-                (Document::PlanePoints(PlanePoints::new(stored(kind, points))), residuals, plane.points.len())
+                (Document::PlanePoints(PlanePoints::new(stored(kind, points))), residuals)
             }
             Document::SpacePoints(space) => {
                 let Smoothed { points, residuals } = self.smoothed(&space.points).map_err(failure)?;
                 sloped = self.sloped(&space.points, &points, kind).map_err(failure)?;
-                (Document::SpacePoints(SpacePoints::new(points)), residuals, space.points.len())
+                (Document::SpacePoints(SpacePoints::new(points)), residuals)
             }
             _ => {
                 return Err(Failure::work(format!(
@@ -122,9 +121,6 @@ impl Smooth {
         };
         let content = sloped.map_or_else(encoded, |text| Ok(text.into_bytes()))?;
         self.overwrite.write(Some(&self.output), &content)?;
-        if let Some(density) = self.told_density(measured) {
-            say("grafika", &format!("{}: {density}", opened.name));
-        }
         let line = match self.json {
             true => as_json(&opened.name, &residuals).to_string(),
             false => format!("{}: {}", opened.name, told(&residuals)),
@@ -175,25 +171,12 @@ impl Smooth {
         Smoothing { stage, density, ..usual }
     }
 
-    /// A density that is not the usual one because there are many points.
-    fn told_density(&self, measured: usize) -> Option<String> {
-        let density = self.smoothing(measured).density;
-        let adapted = matches!(self.stage, StageName::Both) && self.density.is_none() && density < DENSITY;
-        adapted.then(|| {
-            format!(
-                "--density {density} instead of {DENSITY}, the most for {measured} points: the Bézier curve takes \
-                 {MAX_FILTERED} control points"
-            )
-        })
-    }
-
     /// An error, with the option that avoids it.
     fn said(&self, error: &GeometryError) -> String {
         match error {
-            GeometryError::TooManyPoints { .. } => match (&self.stage, self.density) {
-                (StageName::Both, Some(2..)) => format!("{error}; a smaller --density needs fewer"),
-                _ => format!("{error}; --stage bspline takes more"),
-            },
+            GeometryError::TooManyPoints { .. } if self.density.is_some_and(|density| density > 1) => {
+                format!("{error}; a smaller --density needs fewer")
+            }
             _ => error.to_string(),
         }
     }

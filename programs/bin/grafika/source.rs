@@ -4,7 +4,7 @@ use crate::sample::extension;
 use clap::Args;
 use grafika::file::{Document, FileKind, Format};
 use grafika::launch::{
-    Failure, Opened, Overwrite, TableArgs, answer, input_kind, kind_of, meant, open_as, open_cloud,
+    CloudFile, Failure, Opened, Overwrite, TableArgs, answer, input_kind, kind_of, meant, open_as, open_cloud,
 };
 use std::path::{Path, PathBuf};
 
@@ -42,6 +42,11 @@ impl Source {
     pub(crate) fn open_cloud(&self) -> Result<(String, Document), Failure> {
         let (name, cloud) = open_cloud(&self.file, self.from.from, &self.table.options())?;
         Ok((name, Document::Cloud(cloud)))
+    }
+
+    /// The file, if it is one of a cloud that can be read several times; tables may be clouds.
+    pub(crate) fn cloud_file(&self, tables: bool) -> Option<CloudFile> {
+        CloudFile::new(&self.file, self.from.from, &self.table.options(), tables)
     }
 
     /// Reads the file or standard input.

@@ -86,6 +86,8 @@ impl Skipped {
 #[derive(Debug, Default)]
 pub(super) struct Gathered {
     points: Vec<[f64; 3]>,
+    /// How many have been taken away before.
+    taken: usize,
     skipped: Skipped,
     /// How many points the file announces.
     announced: Option<usize>,
@@ -114,12 +116,11 @@ impl Gathered {
             return Ok(());
         }
         let length = self.points.len();
+        if self.taken + length >= MAX_CLOUD_POINTS {
+            let problem = format!("{spot}: there are more than {MAX_CLOUD_POINTS} points; no more are read");
+            return Err(FileError::Invalid(problem));
+        }
         if length == self.points.capacity() {
-            if length >= MAX_CLOUD_POINTS {
-                let problem =
-                    format!("{spot}: there are more than {MAX_CLOUD_POINTS} points; no more are read");
-                return Err(FileError::Invalid(problem));
-            }
             // Twice as much as before, but never more than there can be.
             let most = self.announced.unwrap_or(MAX_CLOUD_POINTS).max(length + 1);
             self.points.reserve_exact((2 * length).clamp(FIRST_ROOM.min(most), most) - length);
@@ -138,12 +139,19 @@ impl Gathered {
         &self.points
     }
 
-    /// All points, and what was left out.
+    /// Takes the points so far away, in exchange for an empty row to go on with.
+    pub(super) fn take(&mut self, points: &mut Vec<[f64; 3]>) {
+        points.clear();
+        std::mem::swap(&mut self.points, points);
+        self.taken += points.len();
+    }
+
+    /// All points that were not taken, and what was left out.
     ///
     /// # Errors
     /// [`FileError::Invalid`] when there is no point.
     pub(super) fn finish(mut self) -> Result<(Vec<[f64; 3]>, Skipped), FileError> {
-        if self.points.is_empty() {
+        if self.taken + self.points.len() == 0 {
             let mut problem = "there are no points".to_owned();
             for told in self.skipped.told() {
                 problem += &format!("; left out: {told}");

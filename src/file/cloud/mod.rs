@@ -32,6 +32,7 @@ mod write;
 
 pub use gathered::{LeftOut, MAX_CLOUD_POINTS, Skipped, Spot};
 pub use reader::CloudReader;
+pub use write::CloudWriter;
 
 use super::check::{Bounds, counted};
 use super::{FileError, Format, TABLES, TableOptions};

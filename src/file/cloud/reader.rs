@@ -103,6 +103,30 @@ impl CloudReader {
         self.gathered.points()
     }
 
+    /// Takes the points since the last time, so that they need no memory here; what `points` held before is dropped.
+    /// [`CloudReader::finish`] gives the rest. Of STL, in which equal corners are told, all of them are the rest.
+    ///
+    /// ```
+    /// use grafika::file::{CloudFormat, CloudReader, TableOptions};
+    ///
+    /// let mut reader = CloudReader::new(CloudFormat::Ply, &TableOptions::default())?;
+    /// let header = "ply\nformat ascii 1.0\nelement vertex 2\nproperty int x\nproperty int y\nproperty int z\nend_header\n";
+    /// reader.feed(header.as_bytes())?;
+    /// reader.feed(b"1 2 3\n")?;
+    /// let mut points = Vec::new();
+    /// reader.take(&mut points);
+    /// assert_eq!(points, [[1.0, 2.0, 3.0]]);
+    /// reader.feed(b"4 5 6\n")?;
+    /// assert_eq!(reader.finish()?.points, [[4.0, 5.0, 6.0]]);
+    /// # Ok::<(), grafika::file::FileError>(())
+    /// ```
+    pub fn take(&mut self, points: &mut Vec<[f64; 3]>) {
+        match self.state {
+            State::StlText(..) | State::StlBinary(_) => points.clear(),
+            State::Head { .. } | State::Rows(_) | State::Ply(_) | State::Obj(_) => self.gathered.take(points),
+        }
+    }
+
     /// The cloud, at the end of the file.
     ///
     /// # Errors

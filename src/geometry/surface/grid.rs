@@ -74,12 +74,15 @@ impl Grid {
         else {
             return false;
         };
-        let narrowest = bounds.rounding().max(NARROWEST * bounds.extent());
         let at = |index: usize| self.points.get(index).copied().unwrap_or([0.0; 3]);
-        self.cells().any(|cell| {
-            let [a, b, c, d] = cell.map(at);
-            [[a, b, c], [a, c, d]].into_iter().any(|corners| triangle_width(corners) > narrowest)
-        })
+        self.cells().any(|cell| Self::is_wide(cell.map(at), &bounds))
+    }
+
+    /// Whether a cell with these corners, in the order of [`Grid::cells`], has an area in a surface with this box.
+    #[must_use]
+    pub fn is_wide([a, b, c, d]: [Point<3>; 4], bounds: &BoundingBox<3>) -> bool {
+        let narrowest = bounds.rounding().max(NARROWEST * bounds.extent());
+        [[a, b, c], [a, c, d]].into_iter().any(|corners| triangle_width(corners) > narrowest)
     }
 
     /// The indices in [`Grid::points`] of the corners of every cell: (k, l), (k, l - 1), (k - 1, l - 1),

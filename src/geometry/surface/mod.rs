@@ -29,7 +29,7 @@ pub(super) use grid::indices;
 pub use grid::{Grid, triangle_width};
 pub use joined::Joined;
 pub use joint::Joint;
-pub use param::{ParamSurface, SurfaceSample};
+pub use param::{ParamSurface, SurfaceSample, surface_samples};
 pub use patch::{Derivatives, Patch};
 pub use patches::Surface;
 pub(super) use patches::check_net;

@@ -76,19 +76,26 @@ pub trait ParamSurface: fmt::Debug {
     /// [`GeometryError::Samples`] for no steps at all or too many points.
     fn grid(&self, per_cell: usize) -> Result<Grid, GeometryError> {
         let [rows, columns] = self.grid_size(per_cell)?;
-        let spans = self.spans();
         let mut points = vec![[0.0; 3]; rows * columns];
-        let mut rest = points.as_mut_slice();
-        for i in 0..spans[0] {
-            let steps = self.steps(0, i, per_cell);
-            let last = i + 1 == spans[0];
-            for step in 0..steps + usize::from(last) {
-                let (row, below) = rest.split_at_mut(columns.min(rest.len()));
-                self.row(i, step as f64 / steps as f64, per_cell, row);
-                rest = below;
-            }
+        for ((i, u), row) in rows_of(self, per_cell).zip(points.chunks_mut(columns.max(1))) {
+            self.row(i, u, per_cell, row);
         }
         Ok(Grid::new(rows, columns, points, self.closed()))
+    }
+
+    /// The rows of [`ParamSurface::grid`] one after the other, in memory of one of them.
+    ///
+    /// # Errors
+    /// As [`ParamSurface::grid`].
+    fn each_row(&self, per_cell: usize, each: &mut dyn FnMut(&[Point<3>])) -> Result<(), GeometryError> {
+        let [_, columns] = self.grid_size(per_cell)?;
+        let mut row = vec![[0.0; 3]; columns];
+        for (i, u) in rows_of(self, per_cell) {
+            row.fill([0.0; 3]);
+            self.row(i, u, per_cell, &mut row);
+            each(&row);
+        }
+        Ok(())
     }
 
     /// The numbers of rows and columns of [`ParamSurface::grid`].
@@ -133,22 +140,7 @@ pub trait ParamSurface: fmt::Debug {
     /// # Errors
     /// [`GeometryError::Samples`] for no steps at all or too many points.
     fn sample(&self, per_span: usize) -> Result<Vec<SurfaceSample>, GeometryError> {
-        let [rows, columns] = self.spans();
-        let most = ((MAX_SAMPLES / (rows * columns).max(1)) as f64).sqrt() as usize;
-        if per_span == 0 || per_span >= most {
-            return Err(GeometryError::Samples { per_span, most: most.saturating_sub(1) });
-        }
-        let mut samples = Vec::with_capacity(rows * columns * (per_span + 1) * (per_span + 1));
-        let at = |step: usize| step as f64 / per_span as f64;
-        for spans in (0..rows).flat_map(|i| (0..columns).map(move |j| [i, j])) {
-            for (a, b) in (0..=per_span).flat_map(|a| (0..=per_span).map(move |b| (a, b))) {
-                let parameters = [at(a), at(b)];
-                if let Some(point) = self.eval(spans, parameters) {
-                    samples.push(SurfaceSample { spans, parameters, point });
-                }
-            }
-        }
-        Ok(samples)
+        surface_samples(self, per_span).map(Iterator::collect)
     }
 
     /// A box round the surface; `None` without spans. Here round the points of a grid, beyond which the surface
@@ -202,6 +194,13 @@ pub trait ParamSurface: fmt::Debug {
     }
 }
 
+/// The places of the rows of a grid, the closing one too.
+fn rows_of(surface: &(impl ParamSurface + ?Sized), per_cell: usize) -> impl Iterator<Item = (usize, f64)> {
+    let spans = surface.spans()[0];
+    let end = spans.checked_sub(1).map(|last| (last, 1.0));
+    step_places(spans, move |span| surface.steps(0, span, per_cell), 0.0).chain(end)
+}
+
 /// The places at a part of every step of every span.
 fn step_places(
     spans: usize,
@@ -212,6 +211,30 @@ fn step_places(
         let steps = steps(span);
         (0..steps).map(move |step| (span, (step as f64 + part) / steps as f64))
     })
+}
+
+/// The samples of [`ParamSurface::sample`] one by one.
+///
+/// # Errors
+/// As [`ParamSurface::sample`].
+pub fn surface_samples(
+    surface: &(impl ParamSurface + ?Sized),
+    per_span: usize,
+) -> Result<impl Iterator<Item = SurfaceSample>, GeometryError> {
+    let [rows, columns] = surface.spans();
+    let most = ((MAX_SAMPLES / (rows * columns).max(1)) as f64).sqrt() as usize;
+    if per_span == 0 || per_span >= most {
+        return Err(GeometryError::Samples { per_span, most: most.saturating_sub(1) });
+    }
+    let at = move |step: usize| step as f64 / per_span as f64;
+    let patches = (0..rows).flat_map(move |i| (0..columns).map(move |j| [i, j]));
+    let places = patches.flat_map(move |spans| {
+        (0..=per_span).flat_map(move |a| (0..=per_span).map(move |b| (spans, [at(a), at(b)])))
+    });
+    Ok(places.filter_map(move |(spans, parameters)| {
+        let point = surface.eval(spans, parameters)?;
+        Some(SurfaceSample { spans, parameters, point })
+    }))
 }
 
 /// A sampled point of a surface.

@@ -113,6 +113,17 @@ impl<U: Basis, V: Basis> ParamSurface for Weave<U, V> {
         self.grid_size(per_cell)?;
         Ok(self.mesh([per_cell; 2]))
     }
+
+    fn each_row(&self, per_cell: usize, each: &mut dyn FnMut(&[Point<3>])) -> Result<(), GeometryError> {
+        let [_, columns] = self.grid_size(per_cell)?;
+        let [u, v] = [Values::table(&self.u, per_cell.max(1)), Values::table(&self.v, per_cell.max(1))];
+        let mut row = vec![[0.0; 3]; columns];
+        for along_u in &u {
+            self.blend_row(along_u, &v, &mut row);
+            each(&row);
+        }
+        Ok(())
+    }
 }
 
 /// The values of the functions at a place, and the number of the first point that they are for.

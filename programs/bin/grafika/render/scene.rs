@@ -12,6 +12,21 @@ use grafika::launch::{Failure, say};
 use grafika::screen::Color;
 
 impl Render {
+    /// Writes the patches of a scene as a model.
+    pub(super) fn model_of_parts(&self, parts: &EcShapes, format: Format) -> Result<(), Failure> {
+        self.check_model(format)?;
+        if parts.patches.is_empty() {
+            let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
+            return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
+        }
+        if !parts.curves.is_empty() {
+            say("grafika", "models are of surfaces; the curves of this scene are left out");
+        }
+        let surfaces: Vec<&dyn ParamSurface> =
+            parts.patches.iter().map(|patch| patch as &dyn ParamSurface).collect();
+        self.model(&surfaces, format)
+    }
+
     /// Arcs and patches over extended Chebyshev spaces: curves within a tolerance that no picture shows, patches by
     /// the lines that nothing hides.
     pub(super) fn parts(
@@ -20,19 +35,6 @@ impl Render {
         parts: &EcShapes,
         format: Format,
     ) -> Result<Vec<u8>, Failure> {
-        if format.is_model() {
-            self.check_model(format)?;
-            if parts.patches.is_empty() {
-                let message = "models are of surfaces; a curve is drawn as .png, .svg or .pdf";
-                return Err(Failure::usage(format!("-o {}: {message}", self.output.display())));
-            }
-            if !parts.curves.is_empty() {
-                say("grafika", "models are of surfaces; the curves of this scene are left out");
-            }
-            let surfaces: Vec<&dyn ParamSurface> =
-                parts.patches.iter().map(|patch| patch as &dyn ParamSurface).collect();
-            return self.model(&surfaces, format);
-        }
         match parts.patches.is_empty() {
             true => self.check_curve()?,
             false => self.check_wires()?,
