@@ -9,8 +9,8 @@ const PACE: Duration = Duration::from_millis(600);
 const PAUSE: Duration = Duration::from_millis(3000);
 /// Positions that a search looks at in one piece, and the time on the clock that a piece has: more than it takes.
 /// Pieces are counted by the clock, so that a search comes equally far in a recording.
-const PIECE: u64 = 40_000;
-const PIECE_TIME: Duration = Duration::from_millis(33);
+const PIECE: u64 = 10_000;
+const PIECE_TIME: Duration = Duration::from_millis(8);
 
 /// What a search is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,8 +26,8 @@ impl Aim {
     /// solver's second and third beam need.
     fn enough(self) -> u64 {
         match self {
-            Aim::Hint => 2_000_000,
-            Aim::Solve => 12_000_000,
+            Aim::Hint => 2_300_000,
+            Aim::Solve => 12_500_000,
         }
     }
 }

@@ -22,6 +22,9 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, ImageData};
 /// How late the page may come, in milliseconds: a little more than a frame.
 const HELD_UP: f64 = 20.0;
 
+/// How long the pieces of a search may take before the next picture, in milliseconds: most of a frame.
+const SLICE: f64 = 12.0;
+
 /// What can go wrong with a canvas.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CanvasError {
@@ -122,11 +125,23 @@ impl Canvas {
         }
     }
 
-    /// Advances the session as [`Display::step`] does, and tells when to come again by the page's clock.
+    /// Advances the session as [`Display::step`] does, and tells when to come again by the page's clock. Of a long search,
+    /// whose pieces are due one after the other, only so many are done as take [`SLICE`]; the session's time stands for the
+    /// rest.
     ///
     /// # Errors
     /// Those of [`Display::show`].
     pub fn advance(&mut self, session: &mut Session) -> Result<Option<f64>, CanvasError> {
+        let clock = web_sys::window().and_then(|window| window.performance());
+        let begun = clock.as_ref().map(|clock| clock.now());
+        while let Some(deadline) = session.deadline().filter(|&deadline| deadline <= self.now()) {
+            session.advance(deadline);
+            let spent = clock.as_ref().zip(begun).map_or(0.0, |(clock, begun)| clock.now() - begun);
+            if spent > SLICE {
+                self.began = self.now - deadline.as_secs_f64() * 1000.0;
+                break;
+            }
+        }
         let deadline = self.step(session)?;
         self.due = deadline.map(|deadline| self.began + deadline.as_secs_f64() * 1000.0);
         Ok(self.due)

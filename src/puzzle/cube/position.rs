@@ -163,11 +163,11 @@ impl TryFrom<Cells> for CsangoCube {
 }
 
 /// The number of a cell of the table, below [`TABLE_CELLS`].
-pub(super) fn on_table(cell: [i8; 3]) -> Option<usize> {
-    cell.iter().zip(TABLE).try_fold(0, |place, (&v, size)| {
-        let v = usize::try_from(v).ok().filter(|_| v < size)?;
-        Some(place * usize::from(size.unsigned_abs()) + v)
-    })
+pub(super) fn on_table([x, y, z]: [i8; 3]) -> Option<usize> {
+    let [length, width, height] = TABLE;
+    let holds = (0..length).contains(&x) && (0..width).contains(&y) && (0..height).contains(&z);
+    let [x, y, z, width, height] = [x, y, z, width, height].map(|it| usize::from(it.unsigned_abs()));
+    holds.then_some((x * width + y) * height + z)
 }
 
 /// The sum of two vectors. Saturating, so that wild numbers end outside the table.

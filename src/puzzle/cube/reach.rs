@@ -31,13 +31,12 @@ pub(super) fn shortest(
             return Some(traced(&came, start, state));
         }
         for action in Action::ALL {
-            if !others.allows(index, piece, action, rules) {
-                continue;
-            }
             let after = action.apply(piece);
             let Some(next) = number(after).filter(|&next| next != start) else { continue };
+            // Most places are known already; whether there is a way to one takes longer to find out.
             if let Some(slot) = came.get_mut(next)
                 && slot.is_none()
+                && others.allows(index, piece, action, rules)
             {
                 *slot = Some((action, state));
                 queue.push_back((after, next));

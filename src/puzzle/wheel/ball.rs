@@ -9,14 +9,21 @@ const DISTANCE: u32 = 96;
 /// The bits of the position.
 const POSITION: u128 = (1 << DISTANCE) - 1;
 
+/// So many entries are passed in the time that a position takes, and so many are moved.
+const PASSED: usize = 64;
+const MOVED: usize = 8;
+
 /// The positions near solved, which grow piece by piece.
 #[derive(Clone, Debug)]
 pub(super) struct Ball {
     /// A hash table with open addresses; 0 is an empty place, for no position has the number 0.
     entries: Vec<u128>,
+    /// Those of the table before, which are still to be moved; none while anything is looked up.
+    moving: Vec<u128>,
     count: usize,
-    /// Entries of the outermost whole layer.
+    /// Entries of the outermost whole layer, and of all whole layers.
     outermost: usize,
+    whole: usize,
     radius: u8,
     /// The next entry to be followed up on the way to the next radius.
     next: usize,
@@ -24,7 +31,15 @@ pub(super) struct Ball {
 
 impl Default for Ball {
     fn default() -> Ball {
-        let mut ball = Ball { entries: vec![0; 1 << 10], count: 0, outermost: 1, radius: 0, next: 0 };
+        let mut ball = Ball {
+            entries: vec![0; 1 << 10],
+            moving: Vec::new(),
+            count: 0,
+            outermost: 1,
+            whole: 1,
+            radius: 0,
+            next: 0,
+        };
         ball.insert(Wheel::solved().orbit(), 0);
         ball
     }
@@ -51,7 +66,7 @@ impl Ball {
         let mixed = (folded ^ folded >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         let mask = self.entries.len() - 1; // a power of two, at least 1024
         let mut place = (mixed ^ mixed >> 32) as usize & mask;
-        // Some place is always empty: the table is never more than three quarters full.
+        // Some place is always empty: before every position that is followed up the table is less than three quarters full.
         while self.entries[place] != 0 && self.entries[place] & POSITION != position {
             place = (place + 1) & mask;
         }
@@ -64,38 +79,59 @@ impl Ball {
         if self.entries[place] == 0 {
             self.entries[place] = position | u128::from(distance) << DISTANCE;
             self.count += 1;
-            if 4 * self.count > 3 * self.entries.len() {
-                self.grow_to(2 * self.entries.len());
-            }
         }
     }
 
-    /// Puts all entries into a larger table; the layer that is being followed up is begun again.
+    /// Takes a larger table, into which all entries are to be moved; the layer that is being followed up is begun again.
     fn grow_to(&mut self, size: usize) {
-        let old = std::mem::replace(&mut self.entries, vec![0; size]);
-        for entry in old.into_iter().filter(|&entry| entry != 0) {
-            let place = self.place(entry & POSITION);
-            self.entries[place] = entry;
-        }
+        self.moving = std::mem::replace(&mut self.entries, vec![0; size]);
         self.next = 0;
+    }
+
+    /// Moves entries into the larger table until the budget is used up or none is left; whether none is left.
+    fn settle(&mut self, budget: &mut u64) -> bool {
+        while !self.moving.is_empty() {
+            if *budget == 0 {
+                return false;
+            }
+            for _ in 0..MOVED {
+                let Some(entry) = self.moving.pop() else { break };
+                if entry != 0 {
+                    let place = self.place(entry & POSITION);
+                    self.entries[place] = entry;
+                }
+            }
+            *budget -= 1;
+        }
+        // Its room too.
+        self.moving = Vec::new();
+        true
     }
 
     /// Works towards a radius until the budget of moves is used up; whether the radius is reached.
     pub(super) fn advance(&mut self, radius: u8, budget: &mut u64) -> bool {
-        while self.radius < radius {
+        while self.settle(budget) && self.radius < radius {
             if self.next == 0 {
                 // A layer is some eight times the one before.
                 let expected = self.count + 8 * self.outermost;
                 let size = (4 * expected / 3).next_power_of_two();
                 if size > self.entries.len() {
                     self.grow_to(size);
+                    continue;
                 }
             }
             while let Some(&entry) = self.entries.get(self.next) {
                 if *budget == 0 {
                     return false;
                 }
+                if 4 * (self.count + Move::ALL.len()) > 3 * self.entries.len() {
+                    self.grow_to(2 * self.entries.len());
+                    break;
+                }
                 self.next += 1;
+                if self.next.is_multiple_of(PASSED) {
+                    *budget -= 1;
+                }
                 if entry != 0 && distance_of(entry) == self.radius {
                     let wheel = Wheel::of_orbit(entry & POSITION);
                     for next in Move::ALL.iter().filter_map(|&a_move| wheel.after(a_move)) {
@@ -104,12 +140,15 @@ impl Ball {
                     *budget = budget.saturating_sub(12);
                 }
             }
+            if self.next == 0 {
+                continue;
+            }
             self.radius += 1;
             self.next = 0;
-            let outermost = self.entries.iter().filter(|&&it| it != 0 && distance_of(it) == self.radius);
-            self.outermost = outermost.count();
+            self.outermost = self.count - self.whole;
+            self.whole = self.count;
         }
-        true
+        self.moving.is_empty()
     }
 
     /// The distance of a position from solved, if it lies within the radius.

@@ -9,9 +9,12 @@ use super::Wheel;
 use super::ball::Ball;
 use super::moves::Move;
 use super::patterns::{BLOCKED, Patterns, Scores};
+use std::ops::Range;
 
 /// No way longer than this is followed.
 const LONGEST: usize = 60;
+/// Positions that are taken, or left out, in the time that one is looked at.
+const AT_ONCE: usize = 16;
 /// So many times the positions that there is room for are made, because many are reached in several ways.
 const SURPLUS: usize = 2;
 
@@ -49,6 +52,8 @@ enum Phase {
     Look(usize),
     /// Their moves are still to be made, those whose score is at most the limit.
     Make { next: usize, limit: u16 },
+    /// Of what was reached, this one and those after it are still to be taken, or left out beyond the limit.
+    Take { next: usize, limit: u16 },
 }
 
 /// A beam that can be interrupted.
@@ -66,6 +71,8 @@ pub(super) struct Beam {
     phase: Phase,
     /// What was reached from the layer.
     reached: Vec<Reached>,
+    /// What has been taken of it: the next layer, and the steps to it.
+    taken: (Vec<Wheel>, Vec<Step>),
     seen: Seen,
 }
 
@@ -122,6 +129,7 @@ impl Beam {
             steps: Vec::new(),
             phase: Phase::Look(0),
             reached: Vec::new(),
+            taken: (Vec::new(), Vec::new()),
             seen: Seen::new(8 * width),
         }
     }
@@ -158,16 +166,30 @@ impl Beam {
                     self.phase = Phase::Look(number + 1);
                     *budget -= 1;
                 }
-                Phase::Make { next, limit } => {
+                Phase::Make { next, limit: most } => {
                     if next >= self.layer.len() {
-                        self.take_best();
+                        let limit = limit(&self.counts, self.width);
+                        self.phase = Phase::Take { next: 0, limit };
                         continue;
                     }
                     if *budget == 0 {
                         return false;
                     }
-                    self.make(next, limit);
-                    self.phase = Phase::Make { next: next + 1, limit };
+                    self.make(next, most);
+                    self.phase = Phase::Make { next: next + 1, limit: most };
+                    *budget -= 1;
+                }
+                Phase::Take { next, limit } => {
+                    if next >= self.reached.len() {
+                        self.go_on();
+                        continue;
+                    }
+                    if *budget == 0 {
+                        return false;
+                    }
+                    let end = next + AT_ONCE;
+                    self.take(next..end, limit);
+                    self.phase = Phase::Take { next: end, limit };
                     *budget -= 1;
                 }
             }
@@ -237,22 +259,28 @@ impl Beam {
         way
     }
 
-    /// Makes the best positions that were reached the next layer.
-    fn take_best(&mut self) {
-        let limit = limit(&self.counts, self.width);
-        self.counts.fill(0);
-        self.layer.clear();
-        self.scores.clear();
-        let mut steps = Vec::new();
-        for it in self.reached.drain(..) {
-            if it.score <= limit && self.layer.len() < self.width {
-                self.layer.push(it.wheel);
+    /// Takes the best of some positions that were reached.
+    fn take(&mut self, some: Range<usize>, limit: u16) {
+        let (layer, steps) = &mut self.taken;
+        for it in self.reached.iter().take(some.end).skip(some.start) {
+            if it.score <= limit && layer.len() < self.width {
+                layer.push(it.wheel);
                 steps.push(it.step);
             } else {
                 self.seen.forget(&it.wheel);
             }
         }
-        self.steps.push(steps);
+    }
+
+    /// Goes on with what was taken.
+    fn go_on(&mut self) {
+        self.counts.fill(0);
+        self.scores.clear();
+        self.reached.clear();
+        let (layer, steps) = &mut self.taken;
+        std::mem::swap(&mut self.layer, layer);
+        layer.clear();
+        self.steps.push(std::mem::take(steps));
         self.phase = Phase::Look(0);
     }
 }

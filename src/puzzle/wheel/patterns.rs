@@ -26,6 +26,8 @@ pub(super) const BLOCKED: u16 = u16::MAX;
 const NONE: u32 = u32::MAX;
 /// Mean distances are counted in parts of a move.
 const ONE: u32 = 1 << 12;
+/// Patterns that are rated, or moved at random, in the time that a position takes.
+const AT_ONCE: usize = 8;
 /// A pattern is rated by its mean distance after so many random moves.
 const RANDOM_MOVES: usize = 3;
 /// The distance of a pattern that has not been reached.
@@ -71,6 +73,10 @@ struct Making {
     /// The mean distances after some random moves, in parts of [`ONE`], and after how many.
     means: Vec<u32>,
     random_moves: usize,
+    /// Those after one more, as far as they are known.
+    further: Vec<u32>,
+    /// How many patterns have given their scores.
+    rated: usize,
 }
 
 /// The tables of one colour and of the grey bead.
@@ -155,43 +161,56 @@ impl Table {
 
     /// Works until the budget is used up or all scores are known, after the distances; whether they are.
     fn score(&mut self, budget: &mut u64) -> bool {
-        while self.after.is_empty() {
+        // What was only needed on the way is gone when all is done.
+        while self.making.rated < self.making.reached.len() {
             if *budget == 0 {
                 return false;
             }
-            match self.making.random_moves {
-                RANDOM_MOVES => self.rate(),
-                _ => self.making.move_at_random(),
-            }
-            *budget = budget.saturating_sub(self.making.reached.len() as u64 / 8);
+            let piece = usize::try_from(*budget).unwrap_or(usize::MAX).saturating_mul(AT_ONCE);
+            let done = match self.making.random_moves {
+                RANDOM_MOVES => self.rate(piece),
+                _ => self.making.move_at_random(piece),
+            };
+            *budget = budget.saturating_sub(done.div_ceil(AT_ONCE) as u64);
         }
         self.making = Making::default();
         true
     }
 
-    /// Gives the scores to all patterns.
-    fn rate(&mut self) {
-        let Making { reached, next, means, .. } = &self.making;
-        let home = means.first().copied().unwrap_or(0);
-        let scores: Vec<u16> = means.iter().map(|mean| score(mean.saturating_sub(home))).collect();
-        self.after = vec![[BLOCKED; MOVES]; self.distance.len()];
-        for (&(places, occupied), next) in reached.iter().zip(next) {
-            self.after[index(0, places, &drawers(occupied))] =
-                next.map(|next| scores.get(next as usize).copied().unwrap_or(BLOCKED));
+    /// Gives their scores to at most so many patterns more; how many.
+    fn rate(&mut self, piece: usize) -> usize {
+        if self.after.is_empty() {
+            self.after = vec![[BLOCKED; MOVES]; self.distance.len()];
         }
+        let Making { reached, next, means, rated, .. } = &mut self.making;
+        let home = means.first().copied().unwrap_or(0);
+        let score =
+            |next: u32| means.get(next as usize).map_or(BLOCKED, |mean| score(mean.saturating_sub(home)));
+        let before = *rated;
+        for (&(places, occupied), next) in reached.iter().zip(next.iter()).skip(before).take(piece) {
+            self.after[index(0, places, &drawers(occupied))] = next.map(score);
+            *rated += 1;
+        }
+        *rated - before
     }
 }
 
 impl Making {
-    /// The mean distances after one random move more.
-    fn move_at_random(&mut self) {
+    /// The mean distances of at most so many patterns more after one random move more; how many.
+    fn move_at_random(&mut self, piece: usize) -> usize {
+        let before = self.further.len();
         let mean = |next: &[u32; MOVES]| {
             let means = next.iter().filter_map(|&next| self.means.get(next as usize));
             let (sum, count) = means.fold((0, 0), |(sum, count), mean| (sum + mean, count + 1));
             sum / u32::max(count, 1)
         };
-        self.means = self.next.iter().map(mean).collect();
-        self.random_moves += 1;
+        self.further.extend(self.next.iter().skip(before).take(piece).map(mean));
+        let done = self.further.len() - before;
+        if self.further.len() == self.next.len() {
+            self.means = std::mem::take(&mut self.further);
+            self.random_moves += 1;
+        }
+        done
     }
 }
 
