@@ -172,7 +172,31 @@ impl Screen {
     fn walk(&mut self, walk: &Walk, sizes: (i64, i64), pitch: (i64, i64), stroke: Stroke) {
         match stroke.width {
             Width::Thin => self.walk_wide::<0>(walk, sizes, pitch, stroke),
+            Width::Thick if stroke.pattern == Pattern::Solid && walk.is_inside(sizes, 1) => {
+                self.walk_thick(walk, pitch, stroke.color.index());
+            }
             Width::Thick => self.walk_wide::<1>(walk, sizes, pitch, stroke),
+        }
+    }
+
+    /// Draws a solid line with three pixels across, all on the screen, as nearly always: they are taken in one piece.
+    fn walk_thick(&mut self, walk: &Walk, pitch: (i64, i64), color: u8) {
+        const ROW: usize = WIDTH as usize;
+        let pixels = &mut *self.pixels;
+        let steps = 0..walk.major + 1;
+        let first = |at: i64| usize::try_from(at - pitch.1).ok();
+        if pitch.1 == 1 {
+            walk.visit(steps, pitch, |_, _, at| {
+                if let Some(row) = first(at).and_then(|first| pixels.get_mut(first..)?.get_mut(..=2)) {
+                    row.fill(color);
+                }
+            });
+        } else {
+            walk.visit(steps, pitch, |_, _, at| {
+                if let Some(rows) = first(at).and_then(|first| pixels.get_mut(first..)?.get_mut(..=2 * ROW)) {
+                    rows.iter_mut().step_by(ROW).for_each(|pixel| *pixel = color);
+                }
+            });
         }
     }
 
@@ -184,44 +208,10 @@ impl Screen {
         pitch: (i64, i64),
         stroke: Stroke,
     ) {
-        if stroke.pattern != Pattern::Solid || !walk.is_inside(sizes, HALF) {
-            return self.walk_clipped::<HALF>(walk, sizes, pitch, stroke);
-        }
-        // All pixels lie on the screen, as nearly always: those across are taken in one piece.
-        const ROW: usize = WIDTH as usize;
-        let color = stroke.color.index();
-        let pixels = &mut *self.pixels;
-        let across = 2 * HALF as usize;
-        let steps = 0..walk.major + 1;
-        if pitch.1 == 1 {
-            walk.visit(steps, pitch, |_, _, at| {
-                let first = usize::try_from(at - HALF).ok();
-                if let Some(row) = first.and_then(|first| pixels.get_mut(first..)?.get_mut(..=across)) {
-                    row.fill(color);
-                }
-            });
-        } else {
-            walk.visit(steps, pitch, |_, _, at| {
-                let first = usize::try_from(at - HALF * pitch.1).ok();
-                if let Some(rows) = first.and_then(|first| pixels.get_mut(first..)?.get_mut(..=across * ROW))
-                {
-                    rows.iter_mut().step_by(ROW).for_each(|pixel| *pixel = color);
-                }
-            });
-        }
-    }
-
-    /// Draws the visible steps of a line that leaves the screen, or is not drawn all.
-    fn walk_clipped<const HALF: i64>(
-        &mut self,
-        walk: &Walk,
-        sizes: (i64, i64),
-        pitch: (i64, i64),
-        stroke: Stroke,
-    ) {
         let color = stroke.color.index();
         let solid = stroke.pattern == Pattern::Solid;
-        let steps = walk.visible(sizes, HALF);
+        // Most lines are short and lie on the screen: nothing has to be divided for them.
+        let steps = if walk.is_inside(sizes, HALF) { 0..walk.major + 1 } else { walk.visible(sizes, HALF) };
         walk.visit(steps, pitch, |count, minor, at| {
             if solid || count & 2 == 0 {
                 for side in [-1, 0, 1] {

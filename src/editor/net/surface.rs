@@ -197,6 +197,9 @@ pub(crate) fn draw_wires(screen: &mut Screen, grid: &Grid, look: Look, ink: Colo
     }
 }
 
+/// Cells that have fewer pixels than this are drawn as they come: to find out which are near costs more than what is hidden.
+const LEAST_CELL: usize = 8;
+
 /// Draws the cells of grids that hide each other; fill and edge colour of each are given by the indices of its grid and
 /// of the cell in it, and by its corners.
 pub(crate) fn draw_cells(
@@ -227,10 +230,14 @@ pub(crate) fn draw_cells(
         .collect();
     // The indices come from the grids' points.
     let corners = |cell: &[usize; 4]| cell.map(|corner| vertices.get(corner).copied().unwrap_or_default());
-    let nearest = |cell: &[usize; 4]| corners(cell).iter().map(|it| it.depth).fold(f32::MIN, f32::max);
-    let depths: Vec<f32> = cells.iter().map(|(_, cell)| nearest(cell)).collect();
+    let order = if cells.len().saturating_mul(LEAST_CELL) < width * height {
+        let nearest = |cell: &[usize; 4]| corners(cell).iter().map(|it| it.depth).fold(f32::MIN, f32::max);
+        near_first(&cells.iter().map(|(_, cell)| nearest(cell)).collect::<Vec<_>>())
+    } else {
+        (0..).take(cells.len()).collect()
+    };
     let mut buffer = DepthBuffer::new(width, height);
-    for number in near_first(&depths) {
+    for number in order {
         let Some((place, cell)) = cells.get(number as usize) else { continue };
         let corners = corners(cell);
         let (fill, edge) = inks(*place, &corners);
