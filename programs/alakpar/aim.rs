@@ -12,7 +12,7 @@ use crate::editor::lens::Lens;
 use crate::file::Places;
 use crate::geometry::shaped::{Parameter, Reach, ShapedCurve};
 use crate::geometry::{GeometryError, ParamCurve, Point};
-use crate::machine::{Asked, Key, Language, Stop};
+use crate::machine::{Asked, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::{Desk, Over, Stay, TOP, page, words};
 use serde::Serialize;
@@ -163,7 +163,7 @@ where
             screen.text(TOP.0 + 8, TOP.1 + 18, texts::CLICK_TARGET.of(language), Color::Black);
             screen.text(TOP.0 + 8, TOP.1 + 29, texts::TARGET_KEYS.of(language), Color::Black);
         });
-        let tick = desk.event(&over).await?;
+        let tick = desk.event_asked(&over, Request::Keys(Vec::new())).await?;
         if tick.pressed(Key::Esc) {
             return Err(Stop::Cancelled);
         }

@@ -10,7 +10,7 @@ use crate::editor::curve::ask::ask_closure;
 use crate::file::{FamilyName, Places};
 use crate::geometry::Point;
 use crate::geometry::shaped::{Family, MAX_SIDE_POINTS, Phi, Trig};
-use crate::machine::{Asked, Key, Language, Stop};
+use crate::machine::{Asked, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words;
 use crate::ui::{
@@ -88,7 +88,9 @@ async fn ask_kind(picture: &dyn Picture, desk: &mut Desk<'_>, present: FamilyNam
         let over = Over::new(picture, |screen: &mut Screen, language: Language| {
             draw_list(screen, language, present);
         });
-        let tick = desk.event(&over).await?;
+        let tick = desk
+            .event_asked(&over, Request::Keys(KINDS.iter().map(|kind| Key::Char(kind.key)).collect()))
+            .await?;
         if tick.pressed(Key::Esc) {
             return Err(Stop::Cancelled);
         }

@@ -13,7 +13,7 @@ use crate::editor::place::ask_place_in_field;
 use crate::editor::stage::Stage;
 use crate::file::{Document, FIELD};
 use crate::geometry::skin::Clearing;
-use crate::machine::{Asked, Key, Language, Stop};
+use crate::machine::{Asked, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Hot, Words};
 use crate::ui::{Answer, Area, Choices, Desk, Over, Picture, Question, Stay, TOP, page};
@@ -194,7 +194,7 @@ async fn pick(editor: &mut Bench, desk: &mut Desk<'_>, count: usize) -> Asked<[u
             screen.text(TOP.0 + 8, TOP.1 + 10, texts::picked(first).of(language), Color::Black);
             screen.text(TOP.0 + 8, TOP.1 + 23, texts::PICK_KEYS.of(language), Color::Black);
         });
-        let tick = desk.event(&over).await?;
+        let tick = desk.event_asked(&over, Request::Keys(Vec::new())).await?;
         if tick.pressed(Key::Esc) {
             return Err(Stop::Cancelled);
         }

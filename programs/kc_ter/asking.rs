@@ -5,7 +5,7 @@ use super::texts;
 use crate::design::ec::MOST_PARTS;
 use crate::file::ec::{Interval, values};
 use crate::geometry::ec::{EcError, Real};
-use crate::machine::{Asked, Key, Language, Tick};
+use crate::machine::{Asked, Key, Language, Request, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{Phrase, Words};
 use crate::ui::{Desk, Picture, TOP, page};
@@ -25,7 +25,7 @@ pub(super) async fn ask_key<T>(
             let shown: String = letters.chars().take(28).collect();
             screen.text(TOP.0 + 8, TOP.1 + 24, &shown, Color::Blue);
         });
-        let tick = desk.event(&asking).await?;
+        let tick = desk.event_asked(&asking, Request::Text).await?;
         if tick.pressed(Key::Esc) {
             return Err(crate::machine::Stop::Cancelled);
         }

@@ -5,7 +5,7 @@ use super::studio::Studio;
 use super::texts;
 use crate::file::ec::{Coefficients, CurveTerm, EcDocument, Item, PatchTerm, curve_formulas, patch_formulas};
 use crate::geometry::ec::{EcError, Real};
-use crate::machine::{Asked, Asking, Key, Language, Stop};
+use crate::machine::{Asked, Asking, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::words::Hot;
 use crate::ui::{
@@ -273,7 +273,12 @@ pub(super) async fn edit(studio: &mut Studio, desk: &mut Desk<'_>) -> Asked<()> 
             table.preview = Preview::new(&item, new, studio.eye, &mut studio.bases);
             seen = Some(table.cells.clone());
         }
-        let tick = desk.event(&table).await?;
+        let arrows = [Key::Left, Key::Right, Key::Up, Key::Down];
+        let request = match table.entry {
+            Some(_) => Request::Text,
+            None => Request::Keys(COMMANDS.keys().into_iter().chain(arrows).collect()),
+        };
+        let tick = desk.event_asked(&table, request).await?;
         if table.entry.is_some() {
             if let Some(key) = tick.key() {
                 table.type_key(desk, key);

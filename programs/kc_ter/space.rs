@@ -6,7 +6,7 @@ use super::texts;
 use crate::file::ec::{EcDocument, Interval, Item, SpaceFile, values};
 use crate::geometry::Point;
 use crate::geometry::ec::{CriticalLength, EcBasis, EcError, MAX_DIMENSION, Real, Root, Space};
-use crate::machine::{Asked, Asking, Key, Language, Stop};
+use crate::machine::{Asked, Asking, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::words::{Hot, Phrase, Words};
 use crate::ui::{
@@ -373,7 +373,11 @@ pub(super) async fn edit(
         let busy = dialog.advance();
         studio.publish(desk, dialog.told());
         let now = desk.machine.now();
-        let tick = if busy { desk.event_before(&dialog, now).await? } else { desk.event(&dialog).await? };
+        let tick = if busy {
+            desk.event_before(&dialog, now).await?
+        } else {
+            desk.event_asked(&dialog, Request::Keys(COMMANDS.keys())).await?
+        };
         if tick.pressed(Key::Esc) {
             return Err(Stop::Cancelled);
         }

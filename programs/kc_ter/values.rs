@@ -7,7 +7,7 @@ use super::studio::Studio;
 use super::texts;
 use crate::file::ec::Item;
 use crate::geometry::ec::{EcError, Real};
-use crate::machine::{Asked, Language, Tick};
+use crate::machine::{Asked, Language, Request, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::Phrase;
 use crate::ui::{Answer, Desk, Question, Stay, TOP, page};
@@ -127,7 +127,7 @@ impl Studio {
                 screen.text(TOP.0 + 8, TOP.1 + 5, texts::ASK_MIDDLE.of(language), Color::Black);
                 entry.draw(screen);
             });
-            let tick = match desk.event(&typing).await {
+            let tick = match desk.event_asked(&typing, Request::Text).await {
                 Ok(tick) => tick,
                 Err(stop) => break Err(stop),
             };

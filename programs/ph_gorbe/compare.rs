@@ -5,7 +5,7 @@ use super::plane::Options;
 use super::{in_field, speed, texts};
 use crate::geometry::ParamCurve;
 use crate::geometry::ph::{Offset, PhCurve, Rule};
-use crate::machine::{Asked, Key, Language};
+use crate::machine::{Asked, Key, Language, Request};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Desk, Over, Picture, Stay, TOP, page};
 
@@ -66,7 +66,7 @@ pub(super) async fn show(
             let over = Over::new(picture, |screen: &mut Screen, language: Language| {
                 draw(screen, language, &found, pieces);
             });
-            let tick = desk.event(&over).await?;
+            let tick = desk.event_asked(&over, Request::Keys(vec![Key::Char('+'), Key::Char('-')])).await?;
             let next = match tick.key() {
                 Some(Key::Esc | Key::Enter | Key::F(5)) => return Ok(()),
                 Some(Key::Char('+')) => at + 1,

@@ -2,7 +2,7 @@
 
 use super::plane::{FARTHEST, Options};
 use super::texts;
-use crate::machine::{Asked, Key, Language, Stop};
+use crate::machine::{Asked, Key, Language, Request, Stop};
 use crate::screen::{Color, Screen};
 use crate::ui::{Accepts, Area, Choices, Desk, Entry, Over, Picture, TOP, Typed};
 
@@ -14,6 +14,8 @@ pub(super) async fn ask(desk: &mut Desk<'_>, picture: &dyn Picture, options: &mu
     let window = |at: i32| Area::new(x + at, y + 21, x + at + 70, y + 34);
     let answers =
         vec![(window(8), texts::BOTH, 'M'), (window(84), texts::TRIM, 'C'), (window(160), texts::NONE, 'N')];
+    let digits = ('0'..='9').chain(['-', '.', 'M', 'C', 'N']).map(Key::Char);
+    let request = Request::Keys(digits.chain([Key::Backspace]).collect());
     let choices = Choices { place: TOP, captions: Vec::new(), answers };
     loop {
         let typing = Over::new(picture, |screen: &mut Screen, language: Language| {
@@ -21,7 +23,7 @@ pub(super) async fn ask(desk: &mut Desk<'_>, picture: &dyn Picture, options: &mu
             screen.text(x + 12, y + 7, texts::DISTANCE.of(language), Color::Black);
             entry.draw(screen);
         });
-        let tick = desk.event(&typing).await?;
+        let tick = desk.event_asked(&typing, request.clone()).await?;
         let clicked = tick.click().and_then(|(x, y)| {
             choices.answers.iter().find(|(area, ..)| area.holds(x, y)).map(|&(.., letter)| letter)
         });

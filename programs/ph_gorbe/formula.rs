@@ -4,7 +4,7 @@ use super::analysis::Analysis;
 use super::texts;
 use crate::geometry::Point;
 use crate::geometry::ph::PhSegment;
-use crate::machine::{Asked, Key, Language};
+use crate::machine::{Asked, Key, Language, Request};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Desk, Over, Picture};
 
@@ -24,7 +24,8 @@ pub(super) async fn show(desk: &mut Desk<'_>, picture: &dyn Picture, analysis: &
         let over = Over::new(picture, |screen: &mut Screen, language: Language| {
             draw(screen, language, segment, [span + 1, segments.len()], form);
         });
-        let tick = desk.event(&over).await?;
+        let tick =
+            desk.event_asked(&over, Request::Keys(vec![Key::Left, Key::Right, Key::Char('B')])).await?;
         match tick.key() {
             Some(Key::Esc | Key::Enter | Key::F(6)) => return Ok(()),
             Some(Key::Right) => span = (span + 1) % segments.len(),

@@ -5,7 +5,7 @@ use crate::design::Sketch;
 use crate::file::Method;
 use crate::geometry::ph::{Knots, PhCurve, PhSegment};
 use crate::geometry::{Closure, ParamCurve, Point};
-use crate::machine::{Asked, Key, Language};
+use crate::machine::{Asked, Key, Language, Request};
 use crate::screen::{Color, Screen, Stroke};
 use crate::ui::{Desk, Over, Phrase, Picture, panel};
 
@@ -99,13 +99,14 @@ pub(super) async fn show(
     let count = sketch.points.len();
     let spans = if sketch.closure() == Closure::Closed { count } else { count.saturating_sub(1) };
     let mut span = 0;
+    let keys = if spline { ['1', '2', '3'].map(Key::Char).to_vec() } else { vec![Key::Left, Key::Right] };
     loop {
         let solutions = if spline { of_spline(sketch) } else { of_span(sketch, span) };
         let title = if spline { texts::ALL_KNOTS.into() } else { texts::all_of_span(span + 1, spans) };
         let over = Over::new(picture, |screen: &mut Screen, language: Language| {
             draw(screen, language, &title, &solutions);
         });
-        let tick = desk.event(&over).await?;
+        let tick = desk.event_asked(&over, Request::Keys(keys.clone())).await?;
         match tick.key() {
             Some(Key::Esc | Key::Enter | Key::F(4)) => return Ok(None),
             Some(Key::Right) if !spline => span = (span + 1) % spans.max(1),

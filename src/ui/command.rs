@@ -132,9 +132,14 @@ impl<A: Copy> Commands<A> {
         wide.map(|(Button { text, .. }, it)| format!("{}{}", text.letter, text.rest.of(it))).collect()
     }
 
+    /// The keys of all commands.
+    pub fn keys(&self) -> Vec<Key> {
+        self.0.iter().flat_map(Command::keys).collect()
+    }
+
     /// The keys of more than one command, which are errors of the table.
     pub fn shared_keys(&self) -> Vec<Key> {
-        let keys: Vec<Key> = self.0.iter().flat_map(Command::keys).collect();
+        let keys = self.keys();
         keys.iter().enumerate().filter(|(at, key)| keys[..*at].contains(key)).map(|(_, key)| *key).collect()
     }
 }

@@ -5,7 +5,7 @@ use crate::design::Place;
 use crate::editor::Editor;
 use crate::file::Method;
 use crate::geometry::Point;
-use crate::machine::{Asked, Key, Language};
+use crate::machine::{Asked, Key, Language, Request};
 use crate::screen::{Color, Screen};
 use crate::ui::words;
 use crate::ui::{Area, Desk, Over, TOP};
@@ -52,6 +52,7 @@ where
     /// Chooses which curves are shown together, each in its colour.
     pub(super) async fn compare(&mut self, desk: &mut Desk<'_>) -> Asked<()> {
         let place = |index: i32| (216 + 116 * (index % 2), 9 + 13 * (index / 2));
+        let keys: Vec<Key> = ('1'..='6').map(Key::Char).collect();
         loop {
             let compared = self.craft.compared.clone();
             let page = Over::new(self, |screen: &mut Screen, language: Language| {
@@ -69,7 +70,7 @@ where
                 screen.text(x + 34, y, "k0", Color::Black);
                 screen.text(x + 68, y, words::ENTER_ONLY.of(language), Color::Blue);
             });
-            let tick = desk.event(&page).await?;
+            let tick = desk.event_asked(&page, Request::Keys(keys.clone())).await?;
             let clicked = tick.click().and_then(|(x, y)| {
                 (0..).zip(Kind::ALL).position(|(index, _)| {
                     let (left, top) = place(index);

@@ -9,7 +9,7 @@ mod picture;
 use super::keys::{QUIT, SAVE, UNDO};
 use crate::design::fourier::{Coefficient, Column};
 use crate::file::{Document, Format, Fourier};
-use crate::machine::{Asked, Asking, Event, Key, Machine, Manner, Stop, Tick};
+use crate::machine::{Asked, Asking, Event, Key, Machine, Manner, Request, Stop, Tick};
 use crate::screen::{Color, Screen};
 use crate::ui::words::{self, Phrase};
 use crate::ui::{
@@ -340,6 +340,7 @@ impl Editor {
         let mut column: Option<Column> = None;
         let mut number = Entry::new(windows[1], (364, 31), 2, Accepts::Number);
         loop {
+            let request = if column.is_some() { Request::Number } else { Request::Text };
             let typing = Over::new(self, |screen: &mut Screen, language| {
                 page(screen, TOP);
                 screen.text(230, 26, words::COEFFICIENT_NAME.of(language), Color::Black);
@@ -350,7 +351,7 @@ impl Editor {
                 screen.text(368, 13, column.map_or("", Column::name), Color::White);
                 number.draw(screen);
             });
-            let tick = desk.event(&typing).await?;
+            let tick = desk.event_asked(&typing, request).await?;
             if let Some(place) = tick.click().and_then(|(x, y)| layout::coefficient_at(x, y)) {
                 return Ok(place);
             }
