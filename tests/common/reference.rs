@@ -133,7 +133,7 @@ pub(crate) fn compare_all(
     program: Program,
     folder: &str,
     prefix: &str,
-    allowance: impl Fn(&str) -> Allowance,
+    allowance: impl Fn(&str) -> Allowance + Sync,
 ) -> (usize, Vec<String>) {
     let files = std::fs::read_dir(path(folder)).expect("the folder is there");
     let files = files.map(|entry| entry.expect("the folder can be read").file_name());
@@ -141,9 +141,18 @@ pub(crate) fn compare_all(
         files.filter_map(|file| Some(file.to_str()?.strip_suffix(".script")?.to_string())).collect();
     names.retain(|name| name.starts_with(prefix));
     names.sort();
-    let references = names.iter().map(|name| Reference::read(folder, name));
-    let problems = references.filter_map(|it| it.problem(program, &it.script, allowance(&it.name)));
-    (names.len(), problems.collect())
+    let problem = |name: &String| {
+        let it = Reference::read(folder, name);
+        it.problem(program, &it.script, allowance(&it.name))
+    };
+    // Hundreds of screens, on all processors.
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let problems = std::thread::scope(|scope| {
+        let part = |first| names.iter().skip(first).step_by(threads).filter_map(&problem).collect::<Vec<_>>();
+        let parts: Vec<_> = (0..threads).map(|first| scope.spawn(move || part(first))).collect();
+        parts.into_iter().flat_map(|part| part.join().expect("a comparison says what is wrong")).collect()
+    });
+    (names.len(), problems)
 }
 
 /// Fails unless there are so many scripts whose names begin so, and each gives the original's screen.
@@ -168,7 +177,7 @@ pub(crate) fn assert_screens_each(
     folder: &str,
     prefix: &str,
     count: usize,
-    allowance: impl Fn(&str) -> Allowance,
+    allowance: impl Fn(&str) -> Allowance + Sync,
 ) {
     let (scripts, problems) = compare_all(program, folder, prefix, allowance);
     assert!(problems.is_empty(), "{}", problems.join("\n"));
