@@ -62,6 +62,18 @@ export async function profile(options = {}) {
   return { context, shut };
 }
 
+/** Runs a test in a browser of its own. */
+export const alone =
+  (test, options = {}) =>
+  async (given) => {
+    const { context, shut } = await profile(options);
+    try {
+      return await test({ ...given, context });
+    } finally {
+      await shut();
+    }
+  };
+
 /** A page with a program on it. */
 export async function visit(context, address, hash = "") {
   const page = await context.newPage();
@@ -76,6 +88,13 @@ export async function ready(page, program = true) {
   await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");
   if (program) await page.waitForFunction(() => globalThis.grafika.running());
   await settled(page);
+}
+
+/** Begins a program anew on a page. */
+export async function start(page, address, hash) {
+  await page.goto("about:blank");
+  await page.goto(`${address}${hash}`);
+  await ready(page);
 }
 
 /** Waits until what has happened is painted. */

@@ -4,23 +4,11 @@ import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import assert from "node:assert/strict";
 import {
-  at, differing, keepPicture, native, picture, play, profile, readPng, ready, settled, texts, visit, waitForText,
+  alone, at, differing, keepPicture, native, picture, play, profile, readPng, ready, settled, start, texts, visit, waitForText,
 } from "./stage.mjs";
 
 /** Scripts whose pictures depend on the very moment: balls roll, a net learns, a solution is played. */
 const MOVING = ["biliard", "csango_k", "gyongy_k", "som_fel", "csav_gy"];
-
-/** Runs a test in a browser of its own. */
-const alone =
-  (test, options = {}) =>
-  async (given) => {
-    const { context, shut } = await profile(options);
-    try {
-      return await test({ ...given, context });
-    } finally {
-      await shut();
-    }
-  };
 
 /** The same pixels, or both pictures are kept to be looked at. */
 async function assertSame(ours, theirs, folder, name, pointer) {
@@ -46,12 +34,6 @@ async function collected(names, check) {
 const leave = (page) => page.evaluate(() => {
   location.hash = "";
 });
-
-async function start(page, address, hash) {
-  await page.goto("about:blank");
-  await page.goto(`${address}${hash}`);
-  await ready(page);
-}
 
 const names = (page) =>
   page.evaluate(() => JSON.parse(globalThis.grafika.app.catalog()).flatMap(({ programs }) => programs.map(({ name }) => name)));
@@ -357,37 +339,6 @@ export const tests = {
     const standing = await texts(page);
     for (const there of ["Language", "Window look", "Colours", "Billiard cloth"]) assert.ok(standing.includes(there), there);
     for (const not of ["Folder", "Terminal", "Window size", "Display"]) assert.ok(!standing.includes(not), not);
-  }),
-
-  "nothing takes longer than 50 ms at once, and a turning surface has 60 pictures a second": alone(async ({ context, address }) => {
-    const page = await visit(context, address, "#program=gyongy_k&puzzle=1:7&lang=en&manner=today");
-    const measure = async (work) => {
-      await page.evaluate(() => Object.assign(globalThis.grafika.measured, { longest: 0, pictures: 0, spent: 0 }));
-      await work();
-      return page.evaluate(() => ({ ...globalThis.grafika.measured }));
-    };
-    const told = [];
-    told.push(["wheel", await measure(() => play(page, "key O\nwait 4000"))]);
-    await start(page, address, "#program=csango_k&lang=en&manner=today");
-    told.push(["cube", await measure(() => play(page, "key Enter\nkey Enter\nkey O\nwait 3000"))]);
-    await start(page, address, "#program=zm_hspl&open=K1.ZMS&lang=en&manner=today");
-    await play(page, "key F\nkey T");
-    const frames = 90;
-    const turning = await measure(async () => {
-      await page.evaluate(async (frames) => {
-        const { app } = globalThis.grafika;
-        const key = new KeyboardEvent("keydown", { key: "ArrowRight", code: "ArrowRight", bubbles: true });
-        void app;
-        for (let frame = 0; frame < frames; frame++) {
-          document.getElementById("canvas").dispatchEvent(key);
-          await new Promise((next) => requestAnimationFrame(next));
-        }
-      }, frames);
-    });
-    told.push(["turning", { ...turning, each: turning.spent / frames }]);
-    console.log(`      ${JSON.stringify(Object.fromEntries(told))}`);
-    for (const [name, { longest }] of told) assert.ok(longest < 50, `${name}: ${longest} ms`);
-    assert.ok(turning.spent / frames < 1000 / 60, `a picture takes ${turning.spent / frames} ms`);
   }),
 };
 
