@@ -148,19 +148,28 @@ where
 /// The distance of a place from an arc, and the parameter of the nearest point.
 fn nearest<const D: usize>(arc: &CubicBezier<D>, at: Point<D>) -> (f64, f64) {
     let distance = |u: f64| norm::<D>(std::array::from_fn(|d| arc.eval(u)[d] - at[d]));
-    let tried = (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS)).map(|u| (distance(u), u));
-    let mut best = tried.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0.0));
-    let mut step = 0.5 / f64::from(STEPS);
-    for _ in 0..HALVINGS {
-        for u in [best.1 - step, best.1 + step].into_iter().filter(|u| (0.0..=1.0).contains(u)) {
-            let there = distance(u);
-            if there < best.0 {
-                best = (there, u);
+    let tried: Vec<(f64, f64)> =
+        (0..=STEPS).map(|step| f64::from(step) / f64::from(STEPS)).map(|u| (distance(u), u)).collect();
+    // The nearest of those tried need not lie in the deepest of the dells: all of them are followed down.
+    let at = |index: Option<usize>| index.and_then(|it| tried.get(it)).map_or(f64::INFINITY, |it| it.0);
+    let dells = tried
+        .iter()
+        .enumerate()
+        .filter(|(index, (here, _))| *here <= at(index.checked_sub(1)) && *here <= at(index.checked_add(1)));
+    let followed = dells.map(|(_, &dell)| {
+        let (mut best, mut step) = (dell, 0.5 / f64::from(STEPS));
+        for _ in 0..HALVINGS {
+            for u in [best.1 - step, best.1 + step].into_iter().filter(|u| (0.0..=1.0).contains(u)) {
+                let there = distance(u);
+                if there < best.0 {
+                    best = (there, u);
+                }
             }
+            step /= 2.0;
         }
-        step /= 2.0;
-    }
-    best
+        best
+    });
+    followed.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0.0))
 }
 
 /// A handle, or the last place on the way from its joint to it that is allowed.
@@ -228,6 +237,16 @@ mod tests {
         assert_eq!(xs(&closed.removed(6)), [0.0, 1.0, 2.0, 3.0, 4.0, 8.0]);
         let spline = open.by(Method::Spline);
         assert_eq!(spline.removed(3).points.len(), 6);
+    }
+
+    /// Steps of the arc that are near the place in another part of the loop do not hide the place itself.
+    #[test]
+    fn a_place_on_a_loop_is_found() {
+        let p = [[25.8, 181.6], [498.3, 168.3], [85.6, 283.0], [29.3, 76.9]];
+        let arc = CubicBezier { p };
+        for u in (0..=1000).map(|k| f64::from(k) * 1e-3) {
+            assert!(nearest(&arc, arc.eval(u)).0 < 1e-9, "{u}");
+        }
     }
 
     #[test]
