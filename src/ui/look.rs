@@ -282,7 +282,13 @@ impl Viewer {
             match tick.event {
                 Some(Event::Key(Key::Esc)) => (self.look, self.turning) = (from, None),
                 _ if !tick.mouse.holds(button) => self.turning = None,
-                _ => self.look = from.turned_by((tick.mouse.x - x, tick.mouse.y - y)),
+                event => {
+                    // Two fingers turn and zoom in one.
+                    let steps = if let Some(Event::Wheel(steps)) = event { steps } else { 0 };
+                    let from = from.zoomed(steps);
+                    self.turning = Some((from, (x, y), button));
+                    self.look = from.turned_by((tick.mouse.x - x, tick.mouse.y - y));
+                }
             }
             return true;
         }

@@ -126,13 +126,13 @@ export const tests = {
     await page.evaluate(() => globalThis.grafika.work.line);
     await page.reload();
     await ready(page);
-    await waitForText(page, "broke off");
+    await waitForText(page, "ended unexpectedly");
     await play(page, "key Enter");
     const model = JSON.parse(await page.evaluate(() => globalThis.grafika.app.model()));
     assert.equal(countPoints(model), 4, JSON.stringify(model));
     // It is still unsaved: another page is not offered what this one works on.
     const other = await visit(context, address, hash);
-    assert.ok(!(await texts(other)).includes("broke off"));
+    assert.ok(!(await texts(other)).includes("ended unexpectedly"));
     await other.close();
     await page.evaluate(() => globalThis.grafika.work.line);
     // The page is gone without a word.
@@ -140,7 +140,7 @@ export const tests = {
     session.send("Page.crash").catch(() => {});
     await new Promise((done) => page.once("crash", done));
     page = await visit(context, address, hash);
-    await waitForText(page, "broke off");
+    await waitForText(page, "ended unexpectedly");
   }),
 
   "two pages do not lose each other's files": alone(async ({ context, address }) => {

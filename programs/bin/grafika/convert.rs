@@ -99,9 +99,7 @@ impl Convert {
         }
         Ok(())
     }
-}
 
-impl Convert {
     /// Converts a cloud row by row. It is read twice: how many points there are, and whether they lie in the plane, is
     /// written first.
     fn stream(&self, file: &CloudFile, to: FileKind) -> Result<(), Failure> {

@@ -1,5 +1,6 @@
 //! `grafika fit`: a net of neurons that learns a cloud of points, and the surface that is fitted to it.
 
+use crate::models;
 use crate::picture::Format as Picture;
 use crate::sample::{SURFACE_STEPS, extension};
 use crate::source::InputFormat;
@@ -12,7 +13,7 @@ use grafika::geometry::ParamSurface;
 use grafika::geometry::cloud::Cloud;
 use grafika::geometry::fit::{Fit, Fitted, Report};
 use grafika::geometry::kohonen::{Learning, Net, Order, Rule, Topology, Weighting};
-use grafika::launch::{Failure, Overwrite, Sort, TableArgs, Target, open, open_cloud, progress, say};
+use grafika::launch::{Failure, Overwrite, TableArgs, Target, open, open_cloud, progress, say};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -238,12 +239,7 @@ impl FitArgs {
         let options = ModelOptions { steps: SURFACE_STEPS as usize, tolerance: MODEL_TOLERANCE, name: &name };
         let surfaces: [&dyn ParamSurface; 1] = [surface];
         let Some(model) = format.model() else { return Ok(()) };
-        let sort = if model.is_text() { Sort::Text } else { Sort::Binary };
-        let model = model.model(&surfaces, &options).map_err(Failure::work)?;
-        if let Some(note) = &model.note {
-            say("grafika", note);
-        }
-        output.write_with(sort, |out| Ok(model.write(out)?))
+        models::write(output, model, &surfaces, &options)
     }
 }
 

@@ -9,6 +9,7 @@ mod fit;
 mod info;
 mod knots;
 mod measure;
+mod models;
 mod normals;
 mod numbers;
 mod offset;

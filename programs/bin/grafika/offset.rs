@@ -1,6 +1,7 @@
 //! `grafika offset`: the exact offset of a plane PH curve, whole or trimmed, or of a surface with Pythagorean normals.
 
 use crate::curve::CurveArgs;
+use crate::models;
 use crate::normals;
 use crate::ph::PhShape;
 use crate::picture::{Format, picture};
@@ -154,6 +155,8 @@ impl OffsetArgs {
         let wanted = said.or_else(|| extension(output));
         let exact = matches!(wanted.as_deref(), None | Some("json" | "rbs" | "step" | "stp"));
         self.check(!exact, matches!(wanted.as_deref(), Some("step" | "stp")))?;
+        let tell_folds =
+            || normals::folded(&surface, self.distance).iter().for_each(|note| say("grafika", note));
         let content = match wanted.as_deref() {
             None | Some("json" | "rbs") => normals::written(&offset)?.into_bytes(),
             Some("csv") => {
@@ -175,9 +178,9 @@ impl OffsetArgs {
                         let name = title.unwrap_or_default();
                         let tolerance = self.tolerance.unwrap_or(MODEL_TOLERANCE);
                         let options = ModelOptions { steps, tolerance, name: &name };
-                        let (content, note) = model.encode(&[&offset], &options).map_err(Failure::work)?;
-                        note.iter().for_each(|note| say("grafika", note));
-                        content
+                        drop(alive);
+                        tell_folds();
+                        return models::write(&self.overwrite.target(output)?, model, &[&offset], &options);
                     }
                     None => {
                         let mut figure = Figure::new();
@@ -192,7 +195,7 @@ impl OffsetArgs {
             }
         };
         drop(alive);
-        normals::folded(&surface, self.distance).iter().for_each(|note| say("grafika", note));
+        tell_folds();
         self.overwrite.write(output, &content)
     }
 

@@ -5,6 +5,7 @@ mod scene;
 mod series;
 
 use crate::curve::CurveArgs;
+use crate::models;
 use crate::normals;
 use crate::offset::plot;
 use crate::ph::PhShape;
@@ -24,7 +25,7 @@ use grafika::geometry::skin::Outline;
 use grafika::geometry::{
     BoundingBox, Closure, GeometryError, ParamCurve, ParamSurface, PnSurface, Point, View,
 };
-use grafika::launch::{Failure, Overwrite, Sort, progress, say, words};
+use grafika::launch::{Failure, Overwrite, progress, say, words};
 use std::path::PathBuf;
 
 /// The command line of `grafika render`.
@@ -434,15 +435,7 @@ impl Render {
             tolerance: self.tolerance.unwrap_or(MODEL_TOLERANCE),
             name: &name.unwrap_or_default(),
         };
-        let sort = if model.is_text() { Sort::Text } else { Sort::Binary };
-        let alive = progress::alive("drawing");
-        let model = model.model(surfaces, &options).map_err(Failure::work)?;
-        drop(alive);
-        if let Some(note) = &model.note {
-            say("grafika", note);
-        }
-        let target = self.overwrite.target(Some(&self.output))?;
-        target.write_with(sort, |out| Ok(model.write(out)?))
+        models::write(&self.overwrite.target(Some(&self.output))?, model, surfaces, &options)
     }
 
     /// The visible lines of a surface, with its net over them.
