@@ -66,7 +66,9 @@ where
 fn centred<const D: usize>(form: &Form<D>) -> Option<(Form<D>, [f64; 2])> {
     let bounds = form.curve().ok()?.bounding_box()?;
     let inside = (0..D.min(2)).all(|d| bounds.min[d] >= 0.0 && bounds.max[d] <= FIELD[d]);
-    let by: [f64; 2] = std::array::from_fn(|d| (0.5 * (FIELD[d] - bounds.min[d] - bounds.max[d])).round());
+    // Half a pixel is not left to the rounding of the bounds, which differs from system to system.
+    let whole = |shift: f64| ((1e6 * shift).round() / 1e6).round();
+    let by: [f64; 2] = std::array::from_fn(|d| whole(0.5 * (FIELD[d] - bounds.min[d] - bounds.max[d])));
     let moved = |point: &Point<D>| std::array::from_fn(|d| point[d] + by.get(d).copied().unwrap_or(0.0));
     (!inside).then(|| (form.replaced(form.points.iter().map(moved).collect()), by))
 }

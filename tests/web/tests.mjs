@@ -7,8 +7,8 @@ import {
   alone, at, differing, keepPicture, native, picture, play, profile, readPng, ready, settled, start, texts, visit, waitForText,
 } from "./stage.mjs";
 
-/** Scripts whose pictures depend on the very moment: balls roll, a net learns, a solution is played. */
-const MOVING = ["biliard", "csango_k", "gyongy_k", "som_fel", "csav_gy"];
+/** Scripts whose pictures depend on the very moment: balls roll, a point flies, a net learns, a solution is played. */
+const MOVING = ["biliard", "csango_k", "gyongy_k", "som_fel", "csav_gy", "vjs"];
 
 /** The same pixels, or both pictures are kept to be looked at. */
 async function assertSame(ours, theirs, folder, name, pointer) {
@@ -64,7 +64,7 @@ export const tests = {
       const [name, sample] = pair.split(" ");
       await start(page, address, `#program=${name}&open=${sample}&lang=en&manner=today&seed=1`);
       const shot = `${name}-${sample}.png`;
-      await native(name, `lang en\nmanner today\npointer on\nshot ${shot}\n`, folder, [sample]);
+      await native(name, `lang en\nmanner today\npointer on\nwait 50\nshot ${shot}\n`, folder, [sample]);
       await assertSame(await picture(page), await readPng(join(folder, shot)), folder, `${name}-${sample}`);
     });
   }),
@@ -280,10 +280,10 @@ export const tests = {
       assert.equal(countPoints(model), 4);
       await keepPicture(await picture(other), join(folder, "shared.png"));
       // A damaged address says so.
-      await other.evaluate(() => {
-        location.hash = "";
-      });
-      await start(other, link.replace(/#.*/, ""), "").catch(() => {});
+      await other.goto("about:blank");
+      await other.goto(link.slice(0, -20));
+      await other.locator("#notes .wrong").getByText("The address is not understood").waitFor();
+      assert.equal(await other.evaluate(() => globalThis.grafika.running()), null);
     } finally {
       await fresh.shut();
     }
