@@ -55,6 +55,26 @@ fn of_many_files_those_that_are_wrong_are_told_apart() {
     assert!(said.lines().count() == 2 && said.contains("none.ip2") && said.contains("none.zms"), "{said}");
 }
 
+#[test]
+fn results_are_not_written_over_the_data() {
+    let folder = Folder::new();
+    for (sample, data, line) in [
+        ("KIGYO.KOR", "mine.json", "skin mine.json -o mine.json --force"),
+        ("A.IP2", "mine.json", "sample mine.json -o ./mine.json --force"),
+        ("A.IP2", "mine.json", "measure mine.json --method phspline -o mine.json --force"),
+        ("A.IP2", "mine.json", "offset mine.json --method phspline --distance 1 -o mine.json --force"),
+        ("A.IP2", "mine.ip2", "render mine.ip2 -o mine.ip2 --to svg --force"),
+        ("TEREP.XYZ", "mine.xyz", "fit mine.xyz -o a.csf --residuals mine.xyz --force"),
+        ("Y.IP2", "mine.ip2", "smooth mine.ip2 -o mine.ip2 --force"),
+    ] {
+        folder.done(&format!("convert {sample} {data} --force"));
+        let before = fs::read(folder.path(data)).unwrap();
+        let said = folder.refused(2, line);
+        assert!(said.contains("is the file that is read"), "{line}: {said}");
+        assert_eq!(fs::read(folder.path(data)).unwrap(), before, "{line}");
+    }
+}
+
 /// Every command that writes files, with the file it writes as `OUT`.
 const WRITING: [&str; 17] = [
     "convert A.IP2 OUT --to json",

@@ -372,7 +372,7 @@ fn wrong_command_lines_are_usage_errors() {
         (&["-o", "a.gif"], ".png .svg .pdf"),
         (&["-o", "-"], ".png .svg .pdf"),
         (&[], "--output"),
-        (&["-o", "a.png", "--width", "15"], "16..=16384"),
+        (&["-o", "a.png", "--width", "15"], "16 to 16384"),
         (&["-o", "a.png", "--view", "1,2,3"], "space curves"),
         (&["-o", "a.png", "--view", "0,0,0"], "three numbers"),
     ];

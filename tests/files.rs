@@ -139,16 +139,16 @@ fn wrong_files_are_refused_with_the_reason() {
     for (format, bytes, message) in [
         (Format::Ip2, SIX[1..].to_vec(), "the file has 1299 bytes; an .IP2 file has 1300"),
         (Format::Gbp, vec![], "the file has 0 bytes; a .GBP file has 504"),
-        (Format::Ip2, patched(SIX, 0, &[100]), "number of points (byte 0): 100; it must be 0..=99"),
-        (Format::Ip2, patched(SIX, 1, &[0xff]), "number of points (byte 0): -250; it must be 0..=99"),
+        (Format::Ip2, patched(SIX, 0, &[100]), "number of points (byte 0): 100; it must be 0 to 99"),
+        (Format::Ip2, patched(SIX, 1, &[0xff]), "number of points (byte 0): -250; it must be 0 to 99"),
         (Format::Ip2, patched(SIX, 2, &[1]), "record 0, yp (byte 2): 1; it must be 0"),
-        (Format::Ip2, patched(SIX, 26, &[0x31, 2]), "point 2 (byte 26): x = 561; the field is 0..=560"),
-        (Format::Ip2, patched(SIX, 28, &[0xff, 0xff]), "point 2 (byte 28): y = -1; the field is 0..=380"),
-        (Format::Ip3, patched(CUBE, 28, &[0, 1]), "number of points (byte 28): 256; it must be 0..=99"),
+        (Format::Ip2, patched(SIX, 26, &[0x31, 2]), "point 2 (byte 26): x = 561; the field is 0 to 560"),
+        (Format::Ip2, patched(SIX, 28, &[0xff, 0xff]), "point 2 (byte 28): y = -1; the field is 0 to 380"),
+        (Format::Ip3, patched(CUBE, 28, &[0, 1]), "number of points (byte 28): 256; it must be 0 to 99"),
         (
             Format::Zms,
             patched(SPHERE, 16 * 7 + 4, &[0, 0, 0x80, 0x7f]),
-            "point 1, 2 (byte 116): y is inf; it must be a finite number",
+            "point 2, 3 (byte 116): y is inf; it must be a finite number",
         ),
         (Format::Gyk, patched(WHEEL, 31, &[2]), "drawer 1 (byte 31): 2; it must be -1, 1 or 3"),
         (
@@ -159,12 +159,12 @@ fn wrong_files_are_refused_with_the_reason() {
         (
             Format::Gyk,
             patched(WHEEL, 19, &[15]),
-            "arm 2 (byte 19): ring 4 is empty; with the drawer at 1 rings 1..=4 hold beads",
+            "arm 2 (byte 19): ring 4 is empty; with the drawer at 1 rings 1 to 4 hold beads",
         ),
         (
             Format::Gyk,
             patched(WHEEL, 30, &[8]),
-            "centre (byte 30): colour 8; beads have the colours 7 and 9..=14",
+            "centre (byte 30): colour 8; beads have the colours 7 and 9 to 14",
         ),
         (Format::Gyk, patched(WHEEL, 30, &[9]), "centre (byte 30): bead 5 of colour 9; the wheel has 4"),
         (Format::Csk, patched(FINISHED, 19, &[4]), "piece 1 (byte 19): 4 cells; this piece has 5"),
@@ -231,7 +231,7 @@ fn json_holds_what_the_dos_format_cannot() {
     assert_eq!(refusal, "does not fit into .IP2: the setting \"bias\" has no place there");
     let plain = document.without_settings();
     let refusal = plain.write(Format::Ip2).unwrap_err().to_string();
-    assert_eq!(refusal, "does not fit into .IP2: point 1: x = -1000.25; it holds whole numbers 0..=560");
+    assert_eq!(refusal, "does not fit into .IP2: point 1: x = -1000.25; it holds whole numbers 0 to 560");
     let many = Document::PlanePoints(PlanePoints::new(vec![[0.0; 2]; 100]));
     let refusal = many.write(Format::Ip2).unwrap_err().to_string();
     assert_eq!(refusal, "does not fit into .IP2: 100 points; it holds at most 99");
@@ -270,7 +270,7 @@ fn json_holds_tangents_in_space_and_the_recipe_of_ph_curves() {
 #[test]
 fn wrong_json_names_the_line_and_the_field() {
     for (text, message) in [
-        ("", "line 1: EOF while parsing a value"),
+        ("", "line 1: the text is empty"),
         (
             "[1]",
             "line 1, [0]: this is no point; a document has a format, as in {\"format\": \"IP2\", \"points\": \
@@ -286,23 +286,29 @@ fn wrong_json_names_the_line_and_the_field() {
             "line 1, format: \"IP4\" is none of IP2, IC2, EC2, GBP, IP3, FHC, FPS, FEM, FPB, FBS, ZMS, ZMB, ZYS, ZYB, ZYP, \
              GYK, CSK, BIL, KCT, KCG, KCF, KCE, KCJ, RBC, PN, RBS, CSM, CSF, ALP, SOM, KOR, GOM, XYZ, PLY, OBJ, STL",
         ),
-        ("{\"format\": \"IP2\", \"points\": [[1, 2],\n[3, NaN]]}", "line 2, points[1][1]: expected value"),
+        (
+            "{\"format\": \"IP2\", \"points\": [[1, 2],\n[3, NaN]]}",
+            "line 2, points[1][1]: a value is needed here",
+        ),
         (
             "{\"format\": \"IP2\", \"points\": [[1, 2],\n[3, 1e999]]}",
-            "line 2, points[1][1]: number out of range",
+            "line 2, points[1][1]: the number is too large",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [[1, 2],\n[\"3\", 4]]}",
-            "line 2, points[1][0]: invalid type: string \"3\", expected f64",
+            "line 2, points[1][0]: there must be a number here, not the text \"3\"",
         ),
-        ("{\"format\": \"IP2\", \"points\": [[1, 2, 3]]}", "line 1, points[0][2]: trailing characters"),
+        (
+            "{\"format\": \"IP2\", \"points\": [[1, 2, 3]]}",
+            "line 1, points[0][2]: more follows than belongs here",
+        ),
         (
             "{\"format\": \"IP2\", \"points\": [],\n\"colour\": 3}",
-            "line 2, colour: unknown field `colour`, expected one of `points`, `tangents`, `joints`, `settings`",
+            "line 2, colour: there is no field \"colour\" here, only \"points\", \"tangents\", \"joints\", \"settings\"",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"settings\": {\"k1\": 3}}",
-            "line 1, settings.k1: unknown field `k1`, expected one of `method`, `closed`, `k0`, `bias`, `tension`, `degree`, `knots`, `start`, `end`, `smooth`",
+            "line 1, settings.k1: there is no field \"k1\" here, only \"method\", \"closed\", \"k0\", \"bias\", \"tension\", \"degree\", \"knots\", \"start\", \"end\", \"smooth\"",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [], \"tangents\": [[1, 2]]}",
@@ -310,7 +316,7 @@ fn wrong_json_names_the_line_and_the_field() {
         ),
         (
             "{\"format\": \"FPS\", \"points\": [[[1, 2, 3]], []]}",
-            "row 1 of the net has 0 points and row 0 has 1; all must have the same",
+            "row 2 of the net has 0 points and row 1 has 1; all must have the same",
         ),
     ] {
         assert_eq!(Document::from_json(text).unwrap_err().to_string(), message, "{text}");

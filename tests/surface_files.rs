@@ -433,7 +433,7 @@ fn wrong_combinations_are_refused_in_a_line() {
         (&open, "-o a.stl --points", 2, "--points is for pictures"),
         (&open, "-o a.gif", 2, ".obj .stl .ply .step"),
         (&open, "-o a.png --view 0,0,0", 2, "three numbers"),
-        (&open, "-o a.png --per-span 0", 2, "1..=100000"),
+        (&open, "-o a.png --per-span 0", 2, "1 to 100000"),
         (&open, "-o a.png --per-span 100000", 1, "steps per span"),
         (&open, "-o a.png --method beta --bias-v -1", 1, "bias is -1"),
         (&ball, "-o a.png --method bezier", 1, "topology of a sphere"),

@@ -183,8 +183,10 @@ fn lists_in_json_are_points() {
         ("[]", "line 1: the list is empty; a document has a format"),
         ("{\"x\": [1, 2]}", "line 1: a document has a format"),
         ("17", "line 1: a document has a format"),
-        ("[[1,2]", "line 1, [0]: EOF while parsing a list"),
-        ("[[1,2]] 3", "line 1: trailing characters"),
+        ("[[1,2]", "line 1, [0]: the text ends too early"),
+        ("[1,2", "line 1, [1]: the text ends too early"),
+        ("[1 2]", "line 1, [0]: a comma or ] is needed here"),
+        ("[[1,2]] 3", "line 1: more follows than belongs here"),
     ] {
         let refusal = json(text, &none).unwrap_err();
         assert!(refusal.starts_with(sentence), "{text}: {refusal}");

@@ -27,8 +27,8 @@ pub(super) const ASK_ROOT: Words = Words("Gyök, mint i, 1/4+i, -2", "Root, as i
 pub(super) const ASK_MULTIPLICITY: Words = Words("Hányszoros?", "Its multiplicity");
 pub(super) const ASK_START: Words = Words("Az intervallum kezdete", "Start of the interval");
 pub(super) const ASK_END: Words = Words("Az intervallum vége", "End of the interval");
-pub(super) const ASK_PRESET: Words =
-    Words("P3 T2 H2 AT2 AH1 AET1 M4(1,1/5)", "P3 T2 H2 AT2 AH1 AET1 M4(1,1/5)");
+/// As many as fit; P3 is where the dialog begins.
+pub(super) const ASK_PRESET: Words = Words("T2 H2 AT2 AH1 AET1 M4(1,1/5)", "T2 H2 AT2 AH1 AET1 M4(1,1/5)");
 pub(super) const ASK_KEEP_CURVE: Words = Words("  A görbe maradjon meg ?", "   Keep the shape?");
 pub(super) const ELEVATE: Hot = Hot::new('E', "melés", "-yes");
 pub(super) const KEEP_POINTS: Hot = Hot::new('K', "-pont", "-pts");

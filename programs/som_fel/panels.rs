@@ -124,14 +124,14 @@ pub(super) async fn ask_cloud(trainer: &mut Trainer, desk: &mut Desk<'_>) -> Ask
         Source::Made(recipe) => Some(recipe.clone()),
         Source::File(_) => None,
     });
-    // A cloud from a file gives way to a made one at once, so that the panel shows what is seen.
     let mut recipe = made.clone().unwrap_or_default();
     let make = |recipe: &Recipe| -> Result<State, Phrase> {
         let named = Named { cloud: recipe.cloud()?, source: Source::Made(recipe.clone()) };
         Ok(State { net: None, ..before.clone() }.with_cloud(named))
     };
     let mut panel = cloud_panel();
-    let mut shown = made;
+    // A cloud from a file stays until a value is changed.
+    let mut shown = made.or_else(|| before.cloud.as_ref().map(|_| recipe.clone()));
     loop {
         if shown.as_ref() != Some(&recipe) {
             match make(&recipe) {

@@ -1,5 +1,6 @@
 //! Writing files so that nothing is lost, whenever the machine stops.
 
+use super::reason;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -85,7 +86,7 @@ fn write<E: From<io::Error>>(
     naming.prefix(TEMPORARY[0]).suffix(TEMPORARY[1]);
     // Dropped, it is gone.
     let file = naming.make_in(folder, |path| options.open(path)).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => missing(folder),
+        io::ErrorKind::NotFound => missing(folder, &error),
         _ => error,
     })?;
     // The lock ends with the process, and tells others whether the file is still being written. Where there are no
@@ -145,14 +146,21 @@ pub(super) fn is_open_for_reading(path: &Path) -> io::Result<()> {
 /// The system's.
 pub fn create(path: &Path) -> io::Result<File> {
     File::create(path).map_err(|error| match (error.kind(), path.parent()) {
-        (io::ErrorKind::NotFound, Some(folder)) => missing(folder),
+        (io::ErrorKind::NotFound, Some(folder)) => missing(folder, &error),
         _ => error,
     })
 }
 
-/// What is said where the folder of a file is missing.
-fn missing(folder: &Path) -> io::Error {
-    io::Error::new(io::ErrorKind::NotFound, format!("there is no folder {}", folder.display()))
+/// What is said where the folder of a file is missing. Some that are there hold no files of ours either, as those of
+/// `/proc`.
+fn missing(folder: &Path, error: &io::Error) -> io::Error {
+    let (empty, named) = (folder.as_os_str().is_empty(), folder.display());
+    let text = match empty || folder.is_dir() {
+        true if empty => format!("it cannot be written; the system says: {}", reason(error)),
+        true => format!("it cannot be written into the folder {named}; the system says: {}", reason(error)),
+        false => format!("there is no folder {named}"),
+    };
+    io::Error::new(io::ErrorKind::NotFound, text)
 }
 
 /// Where a path leads to: the file itself, or where it would be behind links that lead to nothing yet.

@@ -76,7 +76,7 @@ impl Mesh {
         }
         // In cells twice as wide, what is near lies in a neighbouring cell.
         let cell = |p: &Point<3>, step: [f64; 3]| -> [i64; 3] {
-            std::array::from_fn(|d| (p[d] / (2.0 * near) + step[d]).round() as i64)
+            std::array::from_fn(|d| (p[d] / (2.0 * near) + step[d]).floor() as i64)
         };
         let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::with_capacity(self.vertices.len());
         let mut vertices: Vec<Point<3>> = Vec::with_capacity(self.vertices.len());
@@ -486,6 +486,23 @@ mod tests {
             mesh.triangles.iter().map(|corners| corners.map(|n| if n == 0 { 0 } else { n + count - 1 }));
         pinched.triangles.extend(other);
         assert_eq!(pinched.closed_characteristic(), None);
+    }
+
+    #[test]
+    fn patches_of_a_torus_hang_together() {
+        // Sixteen of them, whose borders differ by rounding, also where a coordinate is 0.
+        let quarter = |a: usize, b: usize| {
+            grid([9, 9], [false; 2], |u, v| {
+                let [fi, psi] = [(a, u), (b, v)].map(|(k, t)| (k as f64 + t) * 0.25 * std::f64::consts::TAU);
+                let r = 2.0 + psi.cos();
+                [r * fi.cos(), r * fi.sin(), -psi.sin()]
+            })
+        };
+        let patches: Vec<Grid> = (0..16).map(|k| quarter(k / 4, k % 4)).collect();
+        let mesh = Mesh::from_grids(&patches).unwrap();
+        assert_eq!((mesh.vertices().len(), mesh.closed_characteristic()), (32 * 32, Some(0)));
+        let torus = 4.0 * std::f64::consts::PI.powi(2);
+        assert!((mesh.volume() / torus - 1.0).abs() < 0.05, "{}", mesh.volume());
     }
 
     #[test]

@@ -13,7 +13,7 @@ pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 /// The number of points, as record 0 holds it at `offset`.
 pub(super) fn count(value: i16, offset: usize) -> Result<usize, FileError> {
     usize::try_from(value).ok().filter(|&n| n <= MAX_POINTS).ok_or_else(|| {
-        FileError::value("number of points", offset, format!("{value}; it must be 0..={MAX_POINTS}"))
+        FileError::value("number of points", offset, format!("{value}; it must be 0 to {MAX_POINTS}"))
     })
 }
 
@@ -66,7 +66,7 @@ pub(super) fn whole(
     for ((value, axis), [low, high]) in point.into_iter().zip(AXES).zip(limits) {
         if value.fract() != 0.0 || !(low..=high).contains(&value) {
             let problem =
-                format!("{name} {}: {axis} = {value}; it holds whole numbers {low}..={high}", index + 1);
+                format!("{name} {}: {axis} = {value}; it holds whole numbers {low} to {high}", index + 1);
             return Err(FileError::misfit(format, problem));
         }
     }

@@ -41,13 +41,14 @@ fn check_rounds<const N: usize>(what: &str, rounds: &[[f64; N]]) -> Result<(), F
         return Err(FileError::Invalid(format!("{} {what}s; there may be {MOST} at most", rounds.len())));
     }
     for (index, round) in rounds.iter().enumerate() {
+        let place = index + 1;
         let radius = round.last().copied().unwrap_or(f64::NAN);
         if round.iter().any(|it| !it.is_finite()) {
-            return Err(FileError::Invalid(format!("{what} {index} has a number that is not finite")));
+            return Err(FileError::Invalid(format!("{what} {place} has a number that is not finite")));
         }
         if radius <= 0.0 {
             return Err(FileError::Invalid(format!(
-                "{what} {index} has the radius {}; it must be larger than 0",
+                "{what} {place} has the radius {}; it must be larger than 0",
                 number(radius)
             )));
         }
@@ -55,20 +56,20 @@ fn check_rounds<const N: usize>(what: &str, rounds: &[[f64; N]]) -> Result<(), F
     Ok(())
 }
 
-/// The circle or sphere exists.
-fn check_index(what: &str, index: usize, count: usize) -> Result<(), FileError> {
+/// The circle or sphere exists that edges or chains name.
+fn check_index(by: &str, what: &str, index: usize, count: usize) -> Result<(), FileError> {
     if index < count {
         return Ok(());
     }
     let most = count.saturating_sub(1);
-    Err(FileError::Invalid(format!("there is no {what} {index}; {what}s are counted from 0 to {most}")))
+    Err(FileError::Invalid(format!("there is no {what} {index}; {by} count {what}s from 0 to {most}")))
 }
 
 fn told<const N: usize>(what: &str, rounds: &[[f64; N]]) -> Vec<String> {
     let row = |(index, round): (usize, &[f64; N])| {
         let (radius, centre) = round.split_last().unwrap_or((&0.0, &[]));
         let centre: Vec<String> = centre.iter().copied().map(number).collect();
-        format!("{what} {index}: centre {}, radius {}", centre.join(", "), number(*radius))
+        format!("{what} {}: centre {}, radius {}", index + 1, centre.join(", "), number(*radius))
     };
     rounds.iter().enumerate().map(row).collect()
 }
@@ -87,7 +88,7 @@ impl Circles {
             return Err(FileError::Invalid(problem.to_owned()));
         }
         let mut ends = self.edges.iter().flatten().flatten();
-        ends.try_for_each(|&end| check_index("circle", end, self.circles.len()))
+        ends.try_for_each(|&end| check_index("edges", "circle", end, self.circles.len()))
     }
 
     pub(super) fn describe(&self) -> Vec<String> {
@@ -116,7 +117,7 @@ impl Spheres {
             return Err(FileError::Invalid(problem.to_owned()));
         }
         let mut all = self.chains.iter().flatten().flatten();
-        all.try_for_each(|&index| check_index("sphere", index, self.spheres.len()))
+        all.try_for_each(|&index| check_index("chains", "sphere", index, self.spheres.len()))
     }
 
     pub(super) fn describe(&self) -> Vec<String> {

@@ -177,7 +177,100 @@ pub(super) fn wrong(text: &str, error: &serde_json::Error) -> FileError {
     let (line, column) = (error.line().max(1), error.column());
     let message = error.to_string();
     let problem = message.split_once(" at line ").map_or(message.as_str(), |(problem, _)| problem);
-    FileError::Text { line, place: json_text::place(text, line, column), problem: problem.to_owned() }
+    let problem = match error.is_eof() {
+        true if text.trim().is_empty() => "the text is empty".to_owned(),
+        true => "the text ends too early".to_owned(),
+        false => in_words(problem),
+    };
+    FileError::Text { line, place: json_text::place(text, line, column), problem }
+}
+
+/// What serde says, in the user's terms; what we say ourselves stays.
+fn in_words(problem: &str) -> String {
+    let told = match problem {
+        "expected value" => "a value is needed here",
+        "expected ident" => "true, false or null is needed here",
+        "expected `:`" => "a colon is needed here",
+        "expected `,` or `]`" => "a comma or ] is needed here",
+        "expected `,` or `}`" => "a comma or } is needed here",
+        "key must be a string" => "the name of a field is needed here, in quotes",
+        "trailing characters" => "more follows than belongs here",
+        "trailing comma" => "there is a comma too many",
+        "number out of range" => "the number is too large",
+        "invalid number" => "this is no number",
+        "invalid escape" => "\\ stands before a sign that it cannot stand before",
+        "recursion limit exceeded" => "too many brackets are open",
+        other if other.starts_with("control character") => "there is a control character in a text",
+        other => return of_types(other).or_else(|| of_names(other)).unwrap_or_else(|| other.to_owned()),
+    };
+    told.to_owned()
+}
+
+/// What serde says of a value of another type.
+fn of_types(problem: &str) -> Option<String> {
+    let (what, wanted) = problem.rsplit_once(", expected ")?;
+    let wanted = type_wanted(wanted);
+    if let Some(length) = what.strip_prefix("invalid length ") {
+        return Some(format!("there must be {wanted} here, not one of length {length}"));
+    }
+    let found = what.strip_prefix("invalid type: ").or_else(|| what.strip_prefix("invalid value: "))?;
+    Some(format!("there must be {wanted} here, not {}", value_found(found)))
+}
+
+/// A type as serde names it, or as one of our own readers does.
+fn type_wanted(wanted: &str) -> String {
+    let length =
+        wanted.strip_prefix("an array of length ").or_else(|| wanted.strip_prefix("a tuple of size "));
+    if let Some(length) = length {
+        return format!("a list of length {length}");
+    }
+    let told = match wanted {
+        "f64" | "f32" => "a number",
+        "u8" => "a whole number from 0 to 255",
+        "u16" => "a whole number from 0 to 65535",
+        "i16" => "a whole number from -32768 to 32767",
+        "u32" | "u64" | "usize" => "a whole number of at least 0",
+        "i32" | "i64" => "a whole number",
+        "a string" => "a text",
+        "a sequence" => "a list",
+        "a boolean" => "true or false",
+        "a map" => "an object",
+        other if other.starts_with("struct ") => "an object",
+        other => other,
+    };
+    told.to_owned()
+}
+
+/// A value as serde tells it.
+fn value_found(found: &str) -> String {
+    let bare = |prefix: &str| found.strip_prefix(prefix)?.strip_suffix('`');
+    if let Some(number) = bare("integer `").or_else(|| bare("floating point `")) {
+        return format!("the number {number}");
+    }
+    match (found, found.strip_prefix("string ")) {
+        ("map", _) => "an object".to_owned(),
+        ("sequence", _) => "a list".to_owned(),
+        (_, Some(text)) => format!("the text {text}"),
+        _ => bare("boolean `").unwrap_or(found).to_owned(),
+    }
+}
+
+/// What serde says of names that it does not know, or misses.
+fn of_names(problem: &str) -> Option<String> {
+    let quoted = |text: &str| text.replace('`', "\"");
+    if let Some(name) = problem.strip_prefix("missing field ") {
+        return Some(format!("the field {} is missing", quoted(name)));
+    }
+    if let Some(name) = problem.strip_prefix("duplicate field ") {
+        return Some(format!("the field {} is there twice", quoted(name)));
+    }
+    let (what, known) = problem.rsplit_once(", expected ")?;
+    let known = quoted(known.strip_prefix("one of ").unwrap_or(known)).replace("\" or \"", "\", \"");
+    if let Some(name) = what.strip_prefix("unknown field ") {
+        return Some(format!("there is no field {} here, only {known}", quoted(name)));
+    }
+    let name = what.strip_prefix("unknown variant ")?;
+    Some(format!("there is no {} here, only {known}", quoted(name)))
 }
 
 /// A value read from an object whose `"format"` has been taken out. (serde's own tagged enums read through

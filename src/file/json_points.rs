@@ -21,12 +21,21 @@ pub(super) fn read(text: &str, columns: Option<&Columns>) -> Result<Document, Fi
         deserializer.end()?;
         Ok(points)
     });
-    let (points, coordinates) = points.map_err(|error| match wrong(text, &error) {
-        // The parser names a type of ours, the user needs an example.
-        FileError::Text { line, place, problem } if problem.starts_with("invalid type") => {
-            FileError::Text { line, place, problem: format!("this is no point; {WANTED}") }
+    let (points, coordinates) = points.map_err(|error| {
+        if !error.to_string().starts_with("invalid type") {
+            return wrong(text, &error);
         }
-        other => other,
+        // What is no JSON at all, or only its beginning, is told first.
+        if let Err(broken) = serde_json::from_str::<IgnoredAny>(text) {
+            return wrong(text, &broken);
+        }
+        // The parser names a type of ours, the user needs an example.
+        match wrong(text, &error) {
+            FileError::Text { line, place, .. } => {
+                FileError::Text { line, place, problem: format!("this is no point; {WANTED}") }
+            }
+            other => other,
+        }
     })?;
     match points.is_empty() {
         true => Err(FileError::Text {

@@ -172,7 +172,7 @@ impl KnotNet {
             return Err(invalid(format!("{count} control points; there may be {MAX_CONTROLS} at most")));
         }
         for (row, points) in self.points.iter().enumerate() {
-            check::finite(&format!("row {row}, point"), points)?;
+            check::finite(&format!("row {}, point", row + 1), points)?;
         }
         for weights in self.weights.iter().flatten() {
             check_weights(weights)?;
@@ -191,7 +191,7 @@ impl KnotNet {
             lines.push(format!("knots along {name}: {}", listed(knots)));
         }
         for (row, points) in self.points.iter().enumerate() {
-            lines.extend(check::table(&format!("row {row}, point"), points));
+            lines.extend(check::table(&format!("row {}, point", row + 1), points));
         }
         lines
     }
@@ -236,8 +236,14 @@ mod tests {
                 "weight of control point 1 is 0",
             ),
             (with(&format!("{points},\"knots\":[0,0,0,1,1,1],\"weights\":[1,1]")), "2 weights for 3 points"),
-            (with("\"points\":[[0,0],[1,2,3]],\"knots\":[]"), "point 1 has 3 coordinates; the first has 2"),
-            (with("\"points\":[[0]],\"knots\":[]"), "point 0 has 1 coordinates; 2 or 3 are possible"),
+            (
+                with("\"points\":[[0,0],[1,2,3]],\"knots\":[]"),
+                "the number of coordinates of point 1 is 3; the first has 2",
+            ),
+            (
+                with("\"points\":[[0]],\"knots\":[]"),
+                "the number of coordinates of point 0 is 1; 2 or 3 are possible",
+            ),
             (
                 with(&format!("{points},\"knots\":[0,0,0,1,1,1]")).replace(":3,", ":9,"),
                 "the order is 9; it must be 2 to 8",

@@ -231,7 +231,7 @@ impl Net {
                 return Err(FileError::Invalid(problem));
             }
             for (k, row) in normals.iter().enumerate() {
-                check::finite(&format!("row {k}, normal"), row)?;
+                check::finite(&format!("row {}, normal", k + 1), row)?;
             }
             let lengths = |rows: &[Vec<[f64; 3]>]| rows.iter().map(Vec::len).collect::<Vec<_>>();
             if lengths(normals) != lengths(&self.points) {
@@ -246,10 +246,11 @@ impl Net {
         }
         let columns = self.points.first().map_or(0, Vec::len);
         for (k, row) in self.points.iter().enumerate() {
-            check::finite(&format!("row {k}, point"), row)?;
+            check::finite(&format!("row {}, point", k + 1), row)?;
             if row.len() != columns {
                 return Err(FileError::Invalid(format!(
-                    "row {k} of the net has {} points and row 0 has {columns}; all must have the same",
+                    "row {} of the net has {} points and row 1 has {columns}; all must have the same",
+                    k + 1,
                     row.len()
                 )));
             }
@@ -264,12 +265,14 @@ impl Net {
         lines.extend(Bounds::of(self.points.iter().flatten()).map(|bounds| bounds.describe()));
         for (k, row) in self.points.iter().enumerate() {
             for (l, point) in row.iter().enumerate() {
-                lines.push(format!("point {k}, {l}: {}", point.map(check::number).join(", ")));
+                let place = point.map(check::number).join(", ");
+                lines.push(format!("point {}, {}: {place}", k + 1, l + 1));
             }
         }
         for (k, row) in self.normals.iter().flatten().enumerate() {
             for (l, normal) in row.iter().enumerate() {
-                lines.push(format!("normal {k}, {l}: {}", normal.map(check::number).join(", ")));
+                let place = normal.map(check::number).join(", ");
+                lines.push(format!("normal {}, {}: {place}", k + 1, l + 1));
             }
         }
         lines.extend(settings::describe(&self.settings));
@@ -318,7 +321,9 @@ impl Net {
             for (l, &point) in row.iter().enumerate() {
                 for (value, axis) in point.into_iter().zip(["x", "y", "z"]) {
                     writer.single(single(value).ok_or_else(|| {
-                        let problem = format!("point {k}, {l}: {axis} = {value} is too large for a single");
+                        let (row, column) = (k + 1, l + 1);
+                        let problem =
+                            format!("point {row}, {column}: {axis} = {value} is too large for a single");
                         FileError::misfit(format, problem)
                     })?);
                 }
@@ -338,7 +343,7 @@ fn read_point(reader: &mut Reader, k: usize, l: usize) -> Result<[f64; 3], FileE
         *value = f64::from(reader.single()?);
         if !value.is_finite() {
             let problem = format!("{axis} is {value}; it must be a finite number");
-            return Err(FileError::value(format!("point {k}, {l}"), offset, problem));
+            return Err(FileError::value(format!("point {}, {}", k + 1, l + 1), offset, problem));
         }
     }
     Ok(point)

@@ -46,7 +46,7 @@ impl<'de> Deserialize<'de> for Places {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let points = Vec::<Vec<f64>>::deserialize(deserializer)?;
         let wrong = |index: usize, found: usize, wanted: &str| {
-            D::Error::custom(format!("point {index} has {found} coordinates; {wanted}"))
+            D::Error::custom(format!("the number of coordinates of point {index} is {found}; {wanted}"))
         };
         let of_plane = points.first().is_none_or(|point| point.len() == 2);
         if of_plane {

@@ -111,7 +111,7 @@ impl PlanePoints {
                 let offset = reader.offset();
                 *value = f64::from(reader.i16()?);
                 if !(0.0..=limit).contains(value) {
-                    let problem = format!("{axis} = {value}; the field is 0..={limit}");
+                    let problem = format!("{axis} = {value}; the field is 0 to {limit}");
                     return Err(FileError::value(format!("point {number}"), offset, problem));
                 }
             }

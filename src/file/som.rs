@@ -52,11 +52,12 @@ impl SomNet {
         for (row, points) in self.points.iter().enumerate() {
             if points.len() != columns {
                 return Err(FileError::Invalid(format!(
-                    "row {row} has {} neurons; it must have {columns}, as row 0 has",
+                    "row {} of the net has {} neurons and row 1 has {columns}; all must have the same",
+                    row + 1,
                     points.len()
                 )));
             }
-            check::finite(&format!("row {row}, neuron"), points)?;
+            check::finite(&format!("row {}, neuron", row + 1), points)?;
         }
         Ok(())
     }
@@ -67,7 +68,7 @@ impl SomNet {
             vec![format!("net of {} x {columns} neurons, {}", self.points.len(), self.topology.name())];
         lines.extend(check::Bounds::of(self.points.iter().flatten()).map(|bounds| bounds.describe()));
         for (row, points) in self.points.iter().enumerate() {
-            lines.extend(check::table(&format!("row {row}, neuron"), points));
+            lines.extend(check::table(&format!("row {}, neuron", row + 1), points));
         }
         lines
     }

@@ -126,7 +126,7 @@ impl BeadWheel {
                 if (colour == EMPTY) != (ring >= beads) {
                     let found = if colour == EMPTY { "is empty" } else { "holds a bead" };
                     let problem = format!(
-                        "ring {} {found}; with the drawer at {drawer} rings 1..={beads} hold beads",
+                        "ring {} {found}; with the drawer at {drawer} rings 1 to {beads} hold beads",
                         ring + 1
                     );
                     return Some((place, problem));
@@ -146,7 +146,7 @@ impl BeadWheel {
                 EMPTY if arm != 0 => continue,
                 CENTRE_COLOUR => 1,
                 _ if ARM_COLOURS.contains(&colour) => 4,
-                _ => return Some((place, format!("colour {colour}; beads have the colours 7 and 9..=14"))),
+                _ => return Some((place, format!("colour {colour}; beads have the colours 7 and 9 to 14"))),
             };
             let count = count.get_mut(usize::from(colour))?; // at most 14 here
             *count += 1;

@@ -73,6 +73,20 @@ pub enum GeometryError {
         /// What would be right, as the end of a sentence.
         wanted: &'static str,
     },
+    /// A shape parameter that the curves of a family do not have.
+    NoParameter {
+        /// Its name on the command line.
+        name: &'static str,
+        /// Those that they have; empty for none.
+        known: &'static str,
+    },
+    /// A shape parameter of a control point that is not there.
+    NoControlPoint {
+        /// The control point, from 0.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// The tolerance is smaller than double precision can keep for this curve.
     ToleranceTooSmall {
         /// What was given.
@@ -123,7 +137,7 @@ pub enum GeometryError {
         row: usize,
         /// How many points it has.
         given: usize,
-        /// How many row 0 has.
+        /// How many the first row has.
         needed: usize,
     },
     /// The method has no surfaces of this topology.
@@ -256,8 +270,18 @@ impl fmt::Display for GeometryError {
                 write!(f, "{name} is {value:e}, but must be {wanted}")
             }
             Self::Parameter { name, value, wanted } => write!(f, "{name} is {value}, but must be {wanted}"),
+            Self::NoParameter { name, known: "" } => {
+                write!(f, "this family has no parameter {name}, and no other one")
+            }
+            Self::NoParameter { name, known } => {
+                write!(f, "this family has no parameter {name}; it has {known}")
+            }
+            Self::NoControlPoint { index, count } => {
+                write!(f, "there is no control point {index}; there are {count}, counted from 0")
+            }
             Self::ToleranceTooSmall { value, least } => {
-                write!(f, "tolerance is {value:e}, but doubles can keep no less than {least:e} here")
+                let [value, least] = [value, least].map(few_digits);
+                write!(f, "tolerance is {value}, but doubles can keep no less than {least} here")
             }
             Self::CriticalTension { bias, tension, critical } => write!(
                 f,
@@ -280,7 +304,8 @@ impl fmt::Display for GeometryError {
             Self::Ragged { row, given, needed } => {
                 write!(
                     f,
-                    "row {row} of the net has {given} points and row 0 has {needed}; all must have the same"
+                    "row {} of the net has {given} points and row 1 has {needed}; all must have the same",
+                    row + 1
                 )
             }
             Self::TopologyNotOffered { method, topology } => {
@@ -296,12 +321,16 @@ impl fmt::Display for GeometryError {
             ),
             Self::NotUnit { row, column, length } => write!(
                 f,
-                "normal {column} of row {row} has the length {length}, but must be a unit vector (1 within 1e-6)"
+                "normal {} of row {} has the length {length}, but must be a unit vector (1 within 1e-6)",
+                column + 1,
+                row + 1
             ),
             Self::NormalUp { row, column } => write!(
                 f,
-                "normal {column} of row {row} is within 26 degrees of +z, where the method as printed fails; \
-                 turn the data, or take the normalised method, which does"
+                "normal {} of row {} is within 26 degrees of +z, where the method as printed fails; \
+                 turn the data, or take the normalised method, which does",
+                column + 1,
+                row + 1
             ),
             Self::NormalsTooWide => f.write_str(
                 "the normals point in too many directions for one surface: some direction is needed that all of them stay 26 degrees away from; \
@@ -335,8 +364,9 @@ impl fmt::Display for GeometryError {
             ),
             Self::NotSolved { remainder } => write!(
                 f,
-                "the equations of the PH spline could not be solved (remainder {remainder:e}); add points where the \
-                 polygon turns sharply, or give tangents"
+                "the equations of the PH spline could not be solved (remainder {}); add points where the \
+                 polygon turns sharply, or give tangents",
+                few_digits(remainder)
             ),
             Self::Samples { per_span, most } => {
                 write!(f, "{per_span} steps per span asked for, but 1 to {most} can be given")
@@ -346,6 +376,19 @@ impl fmt::Display for GeometryError {
 }
 
 impl std::error::Error for GeometryError {}
+
+/// A number in four digits; an exponent stands only where many zeros would.
+pub(super) fn few_digits(value: f64) -> String {
+    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
+    in_digits(rounded)
+}
+
+/// A number in all its digits; an exponent stands only where many zeros would.
+pub(super) fn in_digits(value: f64) -> String {
+    let plain = value == 0.0 || !value.is_finite() || (1e-4..1e16).contains(&value.abs());
+    // What is 0 has no sign.
+    if plain { (value + 0.0).to_string() } else { format!("{value:e}") }
+}
 
 #[cfg(test)]
 mod tests {
@@ -357,6 +400,16 @@ mod tests {
         assert_eq!(text, "too few control points: 2 given, at least 3 needed");
         let text = GeometryError::CriticalTension { bias: 1.0, tension: -6.0, critical: -6.0 }.to_string();
         assert_eq!(text, "tension -6 is the critical one for bias 1: the beta-spline does not exist at -6");
+        for (value, text) in [
+            (5.471_635_994_339_879, "5.472"),
+            (5.428_959_384_633_487e-7, "5.429e-7"),
+            (20.0, "20"),
+            (-0.0, "0"),
+            (1e-300, "1e-300"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(few_digits(value), text);
+        }
         let text = GeometryError::TooLarge { number: 7, value: 1e200 }.to_string();
         assert_eq!(text, "point 7 has the coordinate 1e200, larger than 1e150");
     }

@@ -79,7 +79,7 @@ impl From<clap::Error> for Failure {
         let said = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with("For more information"));
         let mut message = String::new();
         for (indent, line) in said {
-            let line = tip(line);
+            let line = number(&tip(line));
             // What is indented goes on with a list; tips and possible values are sentences of their own.
             let goes_on = indent > 0
                 && !line.starts_with("tip: ")
@@ -109,6 +109,28 @@ fn tip(line: &str) -> String {
         || line.to_owned(),
         |(_, names)| format!("{MEANT} {}?", names.replace(", ", " or ").replace('\'', "\"")),
     )
+}
+
+/// What clap says of a wrong number, as the other messages say it.
+fn number(line: &str) -> String {
+    let Some((start, problem)) = line.rsplit_once(": ") else { return line.to_owned() };
+    let negative = line.split('\'').nth(1).is_some_and(|value| value.parse::<i64>().is_ok_and(|it| it < 0));
+    let told = match problem {
+        "invalid digit found in string" if negative => "it must not be negative".to_owned(),
+        "invalid digit found in string" => "this is no whole number".to_owned(),
+        "invalid float literal" => "this is no number".to_owned(),
+        "cannot parse integer from empty string" | "cannot parse float from empty string" => {
+            "a number is needed here".to_owned()
+        }
+        "number too large to fit in target type" => "the number is too large".to_owned(),
+        "number too small to fit in target type" => "the number is too small".to_owned(),
+        other => match other.split_once(" is not in ").and_then(|(_, range)| range.split_once("..")) {
+            Some((least, "")) => format!("it must be at least {least}"),
+            Some((least, most)) => format!("it must be {least} to {}", most.trim_start_matches('=')),
+            None => return line.to_owned(),
+        },
+    };
+    format!("{start}: {told}")
 }
 
 #[cfg(feature = "terminal")]

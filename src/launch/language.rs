@@ -72,17 +72,30 @@ pub fn in_language(text: &str, language: Language) -> String {
 
 fn line(line: &str) -> String {
     let (text, end) = line.strip_suffix('\n').map_or((line, ""), |text| (text, "\n"));
-    format!("{}{end}", hungarian::told(text))
+    let told = hungarian::told(text);
+    // The command line behind a mistake in it has the words of the parser.
+    let told = if text.contains("Usage: ") { in_brackets(told) } else { told };
+    format!("{told}{end}")
 }
 
 /// A command line that takes `--lang` behind every command of it, and whose help is in a language.
 #[must_use]
 pub fn speaking(command: Command, language: Language) -> Command {
-    let command = command.mut_arg("lang", |lang| lang.global(true));
+    let command = signed(command.mut_arg("lang", |lang| lang.global(true)));
     match language {
         Language::English => command,
         Language::Hungarian => in_hungarian(command),
     }
+}
+
+/// The options of a command and of all below it take negative numbers as values: where one is wrong, what the option is
+/// for says so, and not that there is no option of this name.
+fn signed(command: Command) -> Command {
+    let option = |arg: Arg| match arg.is_positional() || !arg.get_action().takes_values() {
+        true => arg,
+        false => arg.allow_negative_numbers(true),
+    };
+    command.mut_args(option).mut_subcommands(signed)
 }
 
 /// The words of a command line, `--lang` before a command moved behind it, where the command takes it. `help` takes no
@@ -167,8 +180,11 @@ fn line_of_page(line: &str) -> String {
     });
     let usage = || text.strip_prefix("Usage: ").map(|usage| format!("Használat: {usage}"));
     let told = told.or_else(usage).unwrap_or_else(|| text.to_owned());
-    let told = BRACKETS.iter().fold(told, |told, (english, hungarian)| told.replace(english, hungarian));
-    format!("{told}{end}")
+    format!("{}{end}", in_brackets(told))
+}
+
+fn in_brackets(text: String) -> String {
+    BRACKETS.iter().fold(text, |told, (english, hungarian)| told.replace(english, hungarian))
 }
 
 #[cfg(test)]

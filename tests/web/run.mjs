@@ -3,6 +3,7 @@
 import { mkdtemp, mkdir } from "node:fs/promises";
 import { join, resolve } from "node:path";
 import { tmpdir } from "node:os";
+import { fileURLToPath } from "node:url";
 import { serve } from "./stage.mjs";
 import { tests } from "./tests.mjs";
 
@@ -17,7 +18,7 @@ for (const [name, test] of Object.entries(tests)) {
   const own = join(made, name.replaceAll(/\W+/g, "_"));
   await mkdir(own, { recursive: true });
   try {
-    await test({ address: server.address, folder: own, root: resolve(import.meta.dirname, "../..") });
+    await test({ address: server.address, folder: own, root: fileURLToPath(new URL("../..", import.meta.url)) });
     console.log(`ok    ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
   } catch (error) {
     failures++;

@@ -123,7 +123,7 @@ pub(crate) struct Split {
     #[command(flatten)]
     source: Source,
     /// The parameter to divide at; an expression
-    #[arg(long, value_name = "G", value_parser = real, allow_hyphen_values = true, required_unless_present = "parts")]
+    #[arg(long, value_name = "G", value_parser = real, allow_hyphen_values = true)]
     at: Option<Real>,
     /// Divide into so many parts of equal length
     #[arg(long, value_name = "M", conflicts_with = "at", value_parser = clap::value_parser!(u16).range(1..=MOST_PARTS as i64))]
@@ -138,6 +138,11 @@ pub(crate) struct Split {
 impl Split {
     /// Divides and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.at.is_none() && self.parts.is_none() {
+            return Err(Failure::usage(
+                "where to divide? Give --at, as in --at pi/6, or --parts, as in --parts 4",
+            ));
+        }
         let (item, name) = item(&self.source)?;
         let direction = direction(&item, self.along)?;
         let interval = match &item {
@@ -159,7 +164,7 @@ impl Split {
 /// The command line of `grafika exact`.
 #[derive(Args)]
 #[command(after_help = "Examples:
-  grafika exact SPIRAL.KCE --parts auto -o spiral.kcj
+  grafika exact SNAIL.KCE --parts auto -o snail.kcj
   grafika exact SNAIL.KCE --parts-u 4 --parts-v 3 -o snail.kcj")]
 pub(crate) struct Exact {
     #[command(flatten)]

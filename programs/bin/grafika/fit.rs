@@ -3,7 +3,7 @@
 use crate::models;
 use crate::picture::Format as Picture;
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::source::InputFormat;
+use crate::source::{InputFormat, apart};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use grafika::design::knots;
@@ -97,6 +97,9 @@ impl FitArgs {
         if !matches!(wanted, Wanted::Net) && self.grow.is_none() {
             // What the fit would refuse after all the learning is refused at once.
             Fit::new(&cloud, &start, corrections).map_err(|error| failed(&error))?;
+        }
+        for written in [Some(&self.output), self.residuals.as_ref()] {
+            apart(&self.cloud, written.map(PathBuf::as_path))?;
         }
         // Asked before the work, not after it.
         let output = self.overwrite.target(Some(&self.output))?;

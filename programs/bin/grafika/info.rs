@@ -19,7 +19,7 @@ use std::path::PathBuf;
   cat a.json | grafika info - --from json")]
 pub(crate) struct Info {
     /// Data files, built-in samples, the text of a space, or - for standard input
-    #[arg(required = true)]
+    #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     #[command(flatten)]
     from: InputFormat,

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   grafika knots path A.CSM --knot 6 --span 6 --at 6.5 --values 5.2,5.6,6
   grafika knots envelope A.CSM --knot 6 --at 5.5,6
-  grafika knots through B.CSM --point 280,200 --by any
+  grafika knots through B.CSM --point 280,219 --by any
   grafika knots insert A.CSM --at 6.5 -o a.csm")]
 pub(crate) struct Knots {
     #[command(subcommand)]
@@ -120,8 +120,8 @@ struct SymmetricArgs {
 #[command(after_help = "Examples:
   grafika knots through B.CSM --point 280,219 --by any
   grafika knots through B.CSM --point 280,219 --by pair:outer --knot 5 --at 5
-  grafika knots through B.CSM --point 280,219 --by one --knot 5
-  grafika knots through A.CSF --point 0,0,60 --by outer --at 5,5")]
+  grafika knots through B.CSM --point 290,220 --by one --knot 5
+  grafika knots through A.CSF --point 25,25,86 --by outer --at 5.5,5.5")]
 struct ThroughArgs {
     #[command(flatten)]
     source: Source,
@@ -378,7 +378,10 @@ impl ThroughArgs {
             }
             Err(reason) => {
                 let mut told = json!({ "admissible": false, "reason": reason.to_string() });
-                if let Ok(nearest) = curve.nearest_reached(point) {
+                // The nearest point is the point itself where only this way does not reach it.
+                if let Ok((way, _)) = curve.through_any(point) {
+                    told["reached_by"] = json!(way_name(way));
+                } else if let Ok(nearest) = curve.nearest_reached(point) {
                     told["nearest"] = json!(nearest.to_vec());
                 }
                 answer(&told)?;

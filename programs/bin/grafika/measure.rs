@@ -29,6 +29,7 @@ pub(crate) struct Measure {
 impl Measure {
     /// Measures and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        self.answer.apart(&self.curve.source.file)?;
         let json = self.answer.is_json("measures")?;
         let (design, name) = self.curve.design()?;
         if let Design::Net(net) = &design {
@@ -67,7 +68,7 @@ fn plane_json(curve: &PhCurve) -> Value {
     json!({
         "length": curve.total_length(),
         "energy": curve.energy(),
-        "rotation": curve.turning(),
+        "rotation": turning(curve),
         "absolute_rotation": curve.absolute_rotation(),
         "offset_limits": curve.offset_limits(),
         "curvature_extrema": extrema.collect::<Vec<_>>(),
@@ -88,6 +89,11 @@ fn space_json(curve: &SpacePhCurve) -> Value {
     })
 }
 
+/// The angle that a curve turns by to the left. A sum of nothing has no sign.
+fn turning(curve: &PhCurve) -> f64 {
+    curve.turning() + 0.0
+}
+
 /// A number, or that it is infinite.
 fn finite(value: Option<f64>) -> String {
     value.map_or_else(|| "infinite".to_owned(), number)
@@ -101,7 +107,7 @@ fn plane_text(curve: &PhCurve) -> String {
     };
     line("length", number(curve.total_length()));
     line("energy", finite(curve.energy()));
-    line("rotation", format!("{} rad to the left", number(curve.turning())));
+    line("rotation", format!("{} rad to the left", number(turning(curve))));
     line("absolute rotation", format!("{} turns", number(curve.absolute_rotation())));
     let [right, left] = curve.offset_limits();
     let limit = |limit: Option<f64>| limit.map_or_else(|| "any distance".to_owned(), number);

@@ -6,7 +6,7 @@ use crate::normals;
 use crate::ph::PhShape;
 use crate::picture::{Format, picture};
 use crate::sample::{SURFACE_STEPS, extension};
-use crate::source::is_stream;
+use crate::source::{apart, is_stream};
 use clap::Args;
 use grafika::design::offset::document;
 use grafika::design::{Design, NetDesign};
@@ -70,6 +70,9 @@ const NC_TOLERANCE: f64 = 0.01;
 impl OffsetArgs {
     /// Offsets and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        for written in [&self.output, &self.nc] {
+            apart(&self.curve.source.file, written.as_deref())?;
+        }
         let (design, name) = self.curve.design()?;
         if let Design::Net(net) = &design {
             return self.of_surface(net, &name);

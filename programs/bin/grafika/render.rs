@@ -11,6 +11,7 @@ use crate::offset::plot;
 use crate::ph::PhShape;
 use crate::picture::{Format, NAMES, picture};
 use crate::sample::SURFACE_STEPS;
+use crate::source::apart;
 use crate::steps::{self, For};
 use clap::Args;
 use grafika::design::offset::curve as curve_of;
@@ -95,6 +96,7 @@ pub(crate) struct Render {
 impl Render {
     /// Draws and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        apart(&self.curve.source.file, Some(&self.output))?;
         let format = self.to.map_or_else(|| Format::of(&self.output), Ok)?;
         if self.curve.is_series() {
             return self.overwrite.write(Some(&self.output), &self.series(format)?);

@@ -5,7 +5,7 @@ use crate::curve::CurveArgs;
 use crate::normals;
 use crate::numbers::Numbers;
 use crate::ph::PhShape;
-use crate::source::is_stream;
+use crate::source::{apart, is_stream};
 use crate::steps::{self, For};
 use clap::Args;
 use grafika::design::ec::EcShapes;
@@ -75,6 +75,7 @@ enum Items {
 impl Sample {
     /// Samples and writes, row by row.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        apart(&self.curve.source.file, self.output.as_deref())?;
         if self.quantities || self.uniform.is_some() {
             self.check_items(false)?;
             let (design, name) = self.curve.design()?;

@@ -5,7 +5,7 @@ mod spheres;
 
 use crate::picture::{Format, picture};
 use crate::sample::extension;
-use crate::source::Source;
+use crate::source::{Source, apart};
 use clap::Args;
 use grafika::design::skin::{circles, outlines};
 use grafika::figure::{CURVE_INK, Figure, NOMINAL_WIDTH, curves_step, outline_step};
@@ -70,6 +70,7 @@ impl SkinCommand {
     /// Computes and writes.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let wanted = if self.check { Wanted::Json } else { self.wanted()? };
+        apart(&self.source.file, self.output.as_deref())?;
         let opened = self.source.open()?;
         let name = opened.name;
         let document = match opened.document {

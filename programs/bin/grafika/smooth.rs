@@ -1,7 +1,7 @@
 //! `grafika smooth`: measured points smoothed by a B-spline and a Bézier curve (section 2.3.8).
 
 use crate::at::Columns;
-use crate::source::{InputFormat, is_stream, kind_by_extension, output_kind};
+use crate::source::{InputFormat, apart, is_stream, kind_by_extension, output_kind};
 use clap::{Args, ValueEnum};
 use grafika::figure::{quantity_csv, quantity_json};
 use grafika::file::{Document, FileKind, Format, PlanePoints, SpacePoints};
@@ -69,6 +69,7 @@ impl Smooth {
         if self.density.is_some() && !matches!(self.stage, StageName::Both) {
             return Err(Failure::usage("--density is for both steps together, --stage both"));
         }
+        apart(&self.input, Some(&self.output))?;
         let to_stdout = is_stream(&self.output);
         if self.json && to_stdout {
             return Err(Failure::usage(

@@ -59,6 +59,18 @@ impl Source {
     }
 }
 
+/// Refuses to write a result that is not the data any more over the data themselves.
+pub(crate) fn apart(input: &Path, output: Option<&Path>) -> Result<(), Failure> {
+    let Some(output) = output.filter(|path| !is_stream(path)) else { return Ok(()) };
+    match (dunce::canonicalize(input), dunce::canonicalize(output)) {
+        (Ok(read), Ok(written)) if read == written => Err(Failure::usage(format!(
+            "{} is the file that is read: name another one for the result",
+            output.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Whether a name stands for standard input or output.
 pub(crate) fn is_stream(path: &Path) -> bool {
     path == Path::new("-")
@@ -114,6 +126,11 @@ impl Answer {
                 Err(Failure::usage(format!("-o: {what} are written as .json or .txt, not .{other}")))
             }
         }
+    }
+
+    /// Refuses to write the answer over the data.
+    pub(crate) fn apart(&self, input: &Path) -> Result<(), Failure> {
+        apart(input, self.output.as_deref())
     }
 
     /// Writes an answer in words, on standard output in the user's language.

@@ -105,7 +105,7 @@ fn patch(patch: &EcPatch) -> Vec<String> {
     lines.extend(space("v: ", &patch.space_v, Some(&patch.interval_v)));
     lines.extend(Bounds::of(patch.net.iter().flatten()).map(|bounds| bounds.describe()));
     for (i, row) in patch.net.iter().enumerate() {
-        lines.extend(check::table(&format!("row {i}, point"), row));
+        lines.extend(check::table(&format!("row {}, point", i + 1), row));
     }
     lines.extend(patch.exact.iter().flat_map(|terms| patch_formulas(&patch.space_u, &patch.space_v, terms)));
     lines

@@ -261,11 +261,12 @@ impl EcPatch {
         for (row, points) in self.net.iter().enumerate() {
             if points.len() != columns {
                 return Err(FileError::Invalid(format!(
-                    "row {row} of the net has {} points, but its space along v has dimension {columns}",
+                    "row {} of the net has {} points, but its space along v has dimension {columns}",
+                    row + 1,
                     points.len()
                 )));
             }
-            super::check::finite(&format!("row {row}, point"), points)?;
+            super::check::finite(&format!("row {}, point", row + 1), points)?;
         }
         self.exact.as_ref().map_or(Ok(()), |terms| known_products(terms, &self.space_u, &self.space_v))?;
         self.style.check()

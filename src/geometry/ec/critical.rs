@@ -18,12 +18,39 @@ pub(super) fn radius(space: &Space) -> f64 {
     space.roots().iter().fold(0.0, |most, root| most.max(root.re.value().hypot(root.im.value())))
 }
 
+/// Part of the critical length by which an interval must be shorter, because the search is not more accurate.
+const MARGIN: f64 = 1e-13;
+
+/// The critical length of equally spaced waves g, 2g, ..., ng, each of them once, with constants alone or with straight
+/// lines. It is a zero of so high a multiplicity that a search would not find it.
+///
+/// A trigonometric polynomial of degree n has at most 2n zeros in [0, 2π), and (1 - cos x)^n has them all in one place.
+/// Without a constant, [0, π) takes the place of [0, 2π).
+fn of_equal_waves(space: &Space) -> Option<f64> {
+    let (zero, others) = space.roots().split_first()?;
+    let length = match zero.multiplicity {
+        1 => PI,
+        2 => 2.0 * PI,
+        _ => return None,
+    };
+    let mut waves: Vec<f64> = others.iter().map(|root| root.im.value()).collect();
+    waves.sort_by(f64::total_cmp);
+    let slowest = *waves.first().filter(|&&wave| wave > 0.0)?;
+    let equal = (1..).zip(&waves).all(|(k, wave)| {
+        let expected = f64::from(k) * slowest;
+        (wave - expected).abs() <= 4.0 * f64::EPSILON * expected
+    });
+    let simple = others.iter().all(|root| root.multiplicity == 1 && root.re.value() == 0.0);
+    (equal && simple).then(|| length / slowest)
+}
+
 /// The search for the critical length for design of a space: the supremum l' of the lengths of intervals on which the
 /// space has a normalized B-basis. Advances in steps, so that a program may draw between them.
 ///
 /// It walks in steps of a fraction of the fastest wave until a length does not pass, and then bisects: a single test
 /// far above the critical length can pass by chance, and determinants may touch zero without changing sign.
-/// Relative error about 1e-14.
+/// Relative error about 1e-14; where many zeros meet, as for equally spaced waves more than once, it is larger. Where the
+/// length is known it is not searched for.
 ///
 /// ```
 /// use grafika::geometry::ec::{CriticalLength, Space};
@@ -58,7 +85,7 @@ impl CriticalLength {
             most: 4 * u32::try_from(space.dimension()).unwrap_or(u32::MAX / 4),
             good: 0.0,
             bad: None,
-            result: space.is_real().then_some(f64::INFINITY),
+            result: if space.is_real() { Some(f64::INFINITY) } else { of_equal_waves(space) },
         }
     }
 
@@ -107,9 +134,11 @@ impl CriticalLength {
         self.result
     }
 
-    /// Whether an interval of this length is good, as soon as it is known; the exact length need not be.
+    /// Whether an interval of this length is good, as soon as it is known; the exact length need not be. It is not where
+    /// it is shorter than the critical length by less than a part of 1e-13.
     #[must_use]
     pub fn admits(&self, length: f64) -> Option<bool> {
+        let length = length * (1.0 + MARGIN);
         match self.result {
             Some(critical) => Some(length < critical),
             None if length <= self.good => Some(true),
@@ -135,6 +164,7 @@ impl CriticalLength {
                 return known;
             }
             // The bisection is not needed where the length itself can be tried.
+            let length = length * (1.0 + MARGIN);
             if self.bad.is_some() || length < self.step * f64::from(self.taken + 1) {
                 return passes(&self.space, length);
             }
@@ -180,8 +210,10 @@ mod tests {
             ("0,i", 2.0 * PI, 1e-12),
             ("0^3,i", 8.986_818_915_818_128, 1e-12),
             ("0,1/4+i", 4.766_508_105_684_232, 1e-12),
-            ("0,i,2i", 2.0 * PI, 1e-7),
-            ("0,i,2i,3i", 2.0 * PI, 1e-4),
+            ("0,i,2i", 2.0 * PI, 1e-15),
+            ("0,i,2i,3i", 2.0 * PI, 1e-15),
+            ("T10", 2.0 * PI, 1e-15),
+            ("0,2/3i,1/3i,i", 6.0 * PI, 1e-15),
             ("0^3,i^2,2i", 7.606_991_983_854_346, 1e-12),
             ("0,i^3,2i^3", 7.814_859_945_641_917, 1e-12),
             ("0,i^2", 2.0 * PI, 1e-12),
@@ -191,6 +223,20 @@ mod tests {
         ] {
             let found = CriticalLength::of_itself(&roots.parse().unwrap()).finish();
             assert!((found / length - 1.0).abs() < error, "{roots}: {found}");
+        }
+    }
+
+    #[test]
+    fn a_length_that_is_critical_is_not_good() {
+        for (roots, length) in
+            [("0,i", PI), ("0,1/4+i", PI), ("0^2,i", 2.0 * PI), ("0^3,i", 2.0 * PI), ("T15", PI)]
+        {
+            let search = || CriticalLength::new(&roots.parse().unwrap());
+            assert!(!search().decide(length), "{roots}");
+            assert!(search().decide(length * (1.0 - 1e-12)), "{roots}");
+            let mut found = search();
+            while found.advance().is_none() {}
+            assert_eq!(found.admits(length), Some(false), "{roots}");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::{MAX_ORDER, MIN_ORDER};
 use crate::geometry::GeometryError;
+use crate::geometry::error::few_digits;
 use std::fmt;
 
 /// Why there is no such curve, path or solution. Knots, spans and control points are counted from 0, as in the
@@ -93,6 +94,15 @@ pub enum KnotError {
         value: f64,
         /// The range.
         range: [f64; 2],
+    },
+    /// A value at the end of a span, where the formula divides by zero.
+    OnKnot {
+        /// What it is: `u`.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// The ends of the span.
+        span: [f64; 2],
     },
     /// Two knots of a formula coincide, so that it has no value.
     Coincide {
@@ -234,6 +244,9 @@ impl fmt::Display for KnotError {
             Self::Outside { name, value, range: [from, to] } => {
                 write!(f, "{name} is {value}; it must be between {from} and {to}")
             }
+            Self::OnKnot { name, value, span: [from, to] } => {
+                write!(f, "{name} is {value}, a knot; it must be larger than {from} and smaller than {to}")
+            }
             Self::Coincide { value } => {
                 write!(
                     f,
@@ -254,7 +267,8 @@ impl fmt::Display for KnotError {
             Self::Rational => f.write_str("the curve has weights; this is for curves without weights"),
             Self::Closed => f.write_str("the curve is closed; this is for open curves, or for more spans"),
             Self::WouldMove { by, tolerance } => {
-                write!(f, "the curve would move by {by:e}; at most {tolerance:e} is allowed")
+                let [by, most] = [by, tolerance].map(few_digits);
+                write!(f, "the curve would move by {by}; at most {most} is allowed")
             }
             Self::Unreached(reason) => reason.fmt(f),
             Self::Points(error) => error.fmt(f),

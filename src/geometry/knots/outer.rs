@@ -26,7 +26,7 @@ impl Outer {
         let at = |offset: usize| knots[span + offset - 3];
         let (left, right) = (at(4) - u, u - at(3));
         if left <= 0.0 || right <= 0.0 {
-            return Err(KnotError::Outside { name: "u", value: u, range: [at(3), at(4)] });
+            return Err(KnotError::OnKnot { name: "u", value: u, span: [at(3), at(4)] });
         }
         let width = at(4) - at(3);
         let factors = [left.powi(3) / (width * (at(4) - at(2))), right.powi(3) / (width * (at(5) - at(3)))];

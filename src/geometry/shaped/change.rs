@@ -80,7 +80,8 @@ impl<const D: usize> ShapedCurve<D> {
     /// the arcs nearest to the target.
     ///
     /// # Errors
-    /// [`GeometryError::Parameter`] for a parameter that the family does not have, or a target with a bad coordinate.
+    /// [`GeometryError::NoParameter`] or [`GeometryError::NoControlPoint`] for a parameter that the curve does not have;
+    /// a target with a bad coordinate.
     pub fn through(&self, parameter: Parameter, target: Point<D>) -> Result<Reach<D>, GeometryError> {
         check_points(&[target])?;
         let size =
@@ -153,7 +154,7 @@ impl<const D: usize> ShapedCurve<D> {
         let present = match (family.value(parameter), family, parameter) {
             (Some(value), ..) => value,
             (None, Family::FBezier { .. } | Family::FBSpline { .. }, Parameter::Alpha) => 0.0,
-            _ => return self.basis_with(parameter, 0.0).and_then(|_| unreachable_parameter(parameter)),
+            _ => return Err(family.lacks(parameter)),
         };
         let square = |root: f64| root * root.abs();
         let (moved, limits, starts) = match (family, parameter) {
@@ -192,12 +193,6 @@ impl<const D: usize> ShapedCurve<D> {
         }
         best.ok_or(GeometryError::Overflow { span: 0 })
     }
-}
-
-/// The error for a parameter that a family does not have.
-fn unreachable_parameter<T>(parameter: Parameter) -> Result<T, GeometryError> {
-    let (name, wanted) = (parameter.name(), "a parameter of this family");
-    Err(GeometryError::Parameter { name, value: 0.0, wanted })
 }
 
 /// Sixteen values of a function between 0 and 1.

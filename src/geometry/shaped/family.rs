@@ -138,10 +138,27 @@ impl Family {
         matches!(self, Self::Lambda { .. } | Self::HanQuadratic { .. })
     }
 
+    /// That the family does not have a parameter, and which it has.
+    pub(super) fn lacks(&self, parameter: Parameter) -> GeometryError {
+        let name = match parameter {
+            Parameter::LambdaOf(_) => "lambda:K",
+            other => other.name(),
+        };
+        let known = match self {
+            Self::FBezier { .. } | Self::FBSpline { .. } => "alpha and omega",
+            Self::Trig(_) => "alpha and beta",
+            Self::Lambda { kind: LambdaKind::Han | LambdaKind::Gb, .. } => "lambda and lambda:K",
+            Self::Lambda { .. } | Self::HanQuadratic { .. } => "lambda",
+            Self::Cyclic => "",
+        };
+        GeometryError::NoParameter { name, known }
+    }
+
     /// The family with another value of a parameter, for curves of `points` control points.
     ///
     /// # Errors
-    /// [`GeometryError::Parameter`] for a value out of range, or a parameter that the family does not have.
+    /// [`GeometryError::Parameter`] for a value out of range, [`GeometryError::NoParameter`] for a parameter that the
+    /// family does not have, [`GeometryError::NoControlPoint`] for the lambda of a point that is not there.
     pub fn with(&self, parameter: Parameter, value: f64, points: usize) -> Result<Self, GeometryError> {
         let family = match (self, parameter) {
             (Self::FBezier { .. }, Parameter::Alpha) => Self::c_bezier(value)?,
@@ -166,10 +183,10 @@ impl Family {
                 all[i] = value;
                 Self::Lambda { kind: *kind, lambda: Lambdas::Each(all) }
             }
-            _ => {
-                let (name, wanted) = (parameter.name(), "left out: this family does not have it there");
-                return Err(GeometryError::Parameter { name, value, wanted });
+            (Self::Lambda { kind: LambdaKind::Han | LambdaKind::Gb, .. }, Parameter::LambdaOf(index)) => {
+                return Err(GeometryError::NoControlPoint { index, count: points });
             }
+            _ => return Err(self.lacks(parameter)),
         };
         family.check(points)?;
         Ok(family)

@@ -2,10 +2,11 @@
 
 use super::{MAX_BALLS, MAX_EDGES};
 use crate::geometry::COORDINATE_LIMIT;
+use crate::geometry::error::in_digits;
 use std::fmt;
 
-/// Why circles or spheres cannot be taken. Circles are counted from 1 as users see them, but where edges or chains name
-/// them, from 0 as documents do.
+/// Why circles or spheres cannot be taken. The sentences count circles, spheres, edges and chains from 1, as users see
+/// them; a number that an edge or chain names, and that nothing has, stands as in the document, from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SkinError {
     /// Too few for a chain or ring.
@@ -111,6 +112,11 @@ pub enum SkinError {
     },
 }
 
+/// A number that counts from 0, as users see it.
+fn from_one(index: usize) -> usize {
+    index.saturating_add(1)
+}
+
 impl fmt::Display for SkinError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -122,39 +128,53 @@ impl fmt::Display for SkinError {
             }
             Self::Center { number, value } => write!(
                 f,
-                "the centre of number {number} has the coordinate {value:e}, but it must be a number of at most {COORDINATE_LIMIT:e}"
+                "the centre of number {number} has the coordinate {}, but it must be a number of at most {COORDINATE_LIMIT:e}",
+                in_digits(value)
             ),
             Self::Radius { number, value } => write!(
                 f,
-                "the radius of number {number} is {value:e}, but it must be positive and at most {COORDINATE_LIMIT:e}"
+                "the radius of number {number} is {}, but it must be positive and at most {COORDINATE_LIMIT:e}",
+                in_digits(value)
             ),
             Self::TooManyEdges { given } => {
                 write!(f, "too many edges: {given} given, at most {MAX_EDGES} allowed")
             }
             Self::NoSuch { what, index, named, count } => {
-                write!(f, "{what} {index} names number {named}, but there are {count}, numbered from 0")
+                let number = from_one(index);
+                write!(f, "{what} {number} names number {named}, but there are {count}, numbered from 0")
             }
             Self::ToItself { edge, circle } => {
+                let [edge, circle] = [edge, circle].map(from_one);
                 write!(f, "edge {edge} joins circle {circle} with itself; it must join two circles")
             }
             Self::Doubled { edge, circles: [a, b] } => {
+                let [edge, a, b] = [edge, a, b].map(from_one);
                 write!(f, "edge {edge} joins circles {a} and {b} a second time; one edge is enough")
             }
-            Self::Cycle { edge, circles: [a, b] } => write!(
-                f,
-                "edge {edge} between circles {a} and {b} closes a cycle; in a tree there is one way between two circles"
-            ),
+            Self::Cycle { edge, circles: [a, b] } => {
+                let [edge, a, b] = [edge, a, b].map(from_one);
+                write!(
+                    f,
+                    "edge {edge} between circles {a} and {b} closes a cycle; in a tree there is one way between two circles"
+                )
+            }
             Self::NotConnected { circle } => {
-                write!(f, "no edges lead from circle 0 to circle {circle}; a tree hangs together")
+                let circle = from_one(circle);
+                write!(f, "no edges lead from circle 1 to circle {circle}; a tree hangs together")
             }
             Self::ShortChain { chain } => {
+                let chain = from_one(chain);
                 write!(f, "chain {chain} has less than two spheres; two are needed at least")
             }
-            Self::Repeated { chain, sphere } => write!(
-                f,
-                "chain {chain} has sphere {sphere} twice; a chain passes a sphere once (closed ones are marked as closed)"
-            ),
+            Self::Repeated { chain, sphere } => {
+                let [chain, sphere] = [chain, sphere].map(from_one);
+                write!(
+                    f,
+                    "chain {chain} has sphere {sphere} twice; a chain passes a sphere once (closed ones are marked as closed)"
+                )
+            }
             Self::Unlinked { sphere } => {
+                let sphere = from_one(sphere);
                 write!(f, "sphere {sphere} is in no chain; every sphere belongs to one at least")
             }
             Self::ClosedChains { given } => {

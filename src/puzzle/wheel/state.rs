@@ -108,7 +108,7 @@ impl Wheel {
         for (index, (&length, &opposite)) in lengths.iter().zip(lengths.iter().cycle().skip(3)).enumerate() {
             if !(3..=RINGS).contains(&length) || length + opposite != 8 {
                 return problem(format!(
-                    "arm {}: {length} beads, {opposite} opposite; an arm holds 3 to 5, with the one opposite 8",
+                    "number of beads in arm {}: {length}, opposite {opposite}; an arm holds 3 to 5, with the one opposite 8",
                     index + 1
                 ));
             }
@@ -128,7 +128,7 @@ impl Wheel {
         for colour in 0..ARMS {
             let count = wheel.colour(colour).count_ones();
             if count != OF_A_COLOUR {
-                return problem(format!("{count} beads of colour {}; there are 4", colour + 1));
+                return problem(format!("number of beads of colour {}: {count}, must be 4", colour + 1));
             }
         }
         // 25 places are filled, 24 by the six colours, so the last one holds 0.

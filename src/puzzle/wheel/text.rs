@@ -59,7 +59,7 @@ impl FromStr for Wheel {
         };
         let count = arms.len();
         let arms: &[Vec<u8>; ARMS] =
-            arms.try_into().map_err(|_| problem(format!("{count} arms instead of 6")))?;
+            arms.try_into().map_err(|_| problem(format!("number of arms: {count}, must be 6")))?;
         Wheel::from_beads(*centre, arms)
     }
 }

@@ -91,7 +91,7 @@ fn rows(lists: Lists) -> impl Iterator<Item = (&'static str, &'static str)> {
 /// One sentence, several that are joined, or one behind what it is about.
 fn sentence(text: &str, lists: Lists, depth: usize) -> Option<String> {
     let depth = depth.checked_sub(1)?;
-    best(text, &[lists], depth).or_else(|| joined(text, lists, depth)).or_else(|| behind(text, lists, depth))
+    best(text, &[lists], depth).or_else(|| behind(text, lists, depth)).or_else(|| joined(text, lists, depth))
 }
 
 /// Sentences with semicolons between them, each of which is known.
@@ -103,9 +103,10 @@ fn joined(text: &str, lists: Lists, depth: usize) -> Option<String> {
     })
 }
 
-/// A sentence behind a colon; before it stands a file, or a place in one.
+/// A sentence behind a colon; before it stands a file, or a place in one. It is looked for before sentences that are
+/// joined, so that one with a semicolon of its own is not cut.
 fn behind(text: &str, lists: Lists, depth: usize) -> Option<String> {
-    let (about, rest) = text.split_once(": ")?;
+    let (about, rest) = text.split_once(": ").filter(|(about, _)| !about.contains("; "))?;
     let rest = sentence(rest, lists, depth).or_else(|| word(rest).map(str::to_owned))?;
     let about = best(about, &[&PLACES], depth).unwrap_or_else(|| about.to_owned());
     Some(format!("{about}: {rest}"))
@@ -204,6 +205,15 @@ mod tests {
             "a.csv: 3. sor, 2. oszlop: a cella üres; egy pontnak minden koordinátája kell"
         );
         assert_eq!(find("nothing of that; neither this"), None);
+        // A sentence with a semicolon of its own is not cut in two behind a place.
+        assert_eq!(
+            told("a.csv: line 2: no column is called \"q\"; there are \"a\", \"b\""),
+            "a.csv: 2. sor: nincs \"q\" nevű oszlop; ezek vannak: \"a\", \"b\""
+        );
+        assert_eq!(
+            told("\"0-1\": number of arms: 1, must be 6; the solved wheel is 0"),
+            "\"0-1\": ágak száma: 1; 6 kell; a kész kerék: 0"
+        );
     }
 
     #[test]

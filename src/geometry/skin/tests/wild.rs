@@ -111,7 +111,7 @@ fn wrong_edges_are_refused() {
     let error = |edges: &[[usize; 2]]| linked(edges).unwrap_err();
     assert_eq!(
         error(&[[0, 1], [1, 4]]).to_string(),
-        "edge 1 names number 4, but there are 4, numbered from 0"
+        "edge 2 names number 4, but there are 4, numbered from 0"
     );
     assert_eq!(error(&[[2, 2]]), SkinError::ToItself { edge: 0, circle: 2 });
     assert_eq!(error(&[[0, 1], [1, 2], [1, 0]]), SkinError::Doubled { edge: 2, circles: [1, 0] });
