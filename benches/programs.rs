@@ -99,6 +99,7 @@ fn turning(c: &mut Criterion) {
         ("wires", "key U\nkey F\nkey D"),
         ("filled", "key U\nkey F\nkey T"),
         ("zebra", "key U\nkey F\nkey T\nkey F5"),
+        ("curvature", "key U\nkey F\nkey T\nkey F5\nkey F5"),
         ("section", "key U\nkey F\nkey T\nkey F6"),
     ] {
         let mut session = session(net::start(&SPHERE, None), script);

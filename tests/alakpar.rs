@@ -479,7 +479,7 @@ fn samples_open_by_name() {
 
 #[test]
 fn recordings_replay() {
-    random::assert_replays(PROGRAM, &random::script(11, 1500));
+    random::assert_replays(PROGRAM, &random::script(11, random::part(1500)));
 }
 
 #[test]

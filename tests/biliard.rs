@@ -257,7 +257,7 @@ fn the_end_is_asked_for_and_points_are_not_lost() {
 
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
-    common::random::assert_replays(PROGRAM, &common::random::script(7, 3000));
+    common::random::assert_replays(PROGRAM, &common::random::script(7, common::random::part(3000)));
     common::random::assert_replays(PROGRAM, &format!("{BREAK}wait 1234\nkey R\nwait 999\n"));
 }
 

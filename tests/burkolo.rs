@@ -265,7 +265,7 @@ fn pages_look_as_they_did() {
 
 #[test]
 fn recordings_replay() {
-    random::assert_replays(PROGRAM, &random::script(7, 400));
+    random::assert_replays(PROGRAM, &random::script(7, random::part(400)));
 }
 
 #[test]

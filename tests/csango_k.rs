@@ -295,7 +295,7 @@ fn the_end_is_asked_for_and_nothing_is_lost() {
 
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
-    random::assert_replays(PROGRAM, &random::script(7, 500));
+    random::assert_replays(PROGRAM, &random::script(7, random::part(500)));
     random::assert_replays(PROGRAM, &format!("key U\n{HALF}key F7\nkey F4\nwait 999\n"));
 }
 

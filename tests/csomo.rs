@@ -442,7 +442,7 @@ fn pages_look_as_they_did() {
 
 #[test]
 fn recordings_replay() {
-    random::assert_replays(PROGRAM, &random::script(11, 1500));
+    random::assert_replays(PROGRAM, &random::script(11, random::part(1500)));
 }
 
 #[test]

@@ -152,7 +152,7 @@ fn each_program_ends_with_its_keys() {
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
     for program in [XOR, OR, MASKS] {
-        let calm: String = random::script(7, 1500)
+        let calm: String = random::script(7, random::part(1500))
             .lines()
             .filter(|line| *line != "key Esc")
             .map(|line| format!("{line}\n"))

@@ -77,7 +77,7 @@ fn golden_pictures() {
 
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
-    common::random::assert_replays(PROGRAM, &common::random::script(4, 3000));
+    common::random::assert_replays(PROGRAM, &common::random::script(4, common::random::part(3000)));
 }
 
 #[test]

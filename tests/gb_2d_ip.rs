@@ -249,7 +249,7 @@ fn measured_points_are_opened_from_csv_with_their_fractions() {
 
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
-    let script = common::random::script(7, 3000);
+    let script = common::random::script(7, common::random::part(3000));
     common::random::assert_replays(PROGRAM, &script);
 }
 

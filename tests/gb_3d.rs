@@ -255,7 +255,7 @@ fn files_of_another_kind_are_refused() {
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
     for program in [IP, BT] {
-        random::assert_replays(program, &random::script(7, 3000));
+        random::assert_replays(program, &random::script(7, random::part(3000)));
     }
 }
 

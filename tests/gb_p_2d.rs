@@ -292,7 +292,7 @@ fn the_command_line_samples_coefficients() {
 
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
-    let script = common::random::script(7, 3000);
+    let script = common::random::script(7, common::random::part(3000));
     common::random::assert_replays(PROGRAM, &script);
 }
 

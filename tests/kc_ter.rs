@@ -126,7 +126,7 @@ fn pages_and_dialogs_look_as_they_did() {
 
 #[test]
 fn recordings_replay() {
-    random::assert_replays(PROGRAM, &random::script(7, 1500));
+    random::assert_replays(PROGRAM, &random::script(7, random::part(1500)));
 }
 
 #[test]

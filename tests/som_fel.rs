@@ -376,7 +376,7 @@ fn pages_look_as_they_did() {
 
 #[test]
 fn recordings_replay() {
-    random::assert_replays(PROGRAM, &random::script(11, 1500));
+    random::assert_replays(PROGRAM, &random::script(11, random::part(1500)));
     random::assert_replays(PROGRAM, "key T\nwait 777\nkey L\nwait 500\nkey T\nwait 900\nkey F5\n");
 }
 

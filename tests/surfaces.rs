@@ -194,7 +194,7 @@ fn a_larger_net_is_saved_as_json_with_its_shape() {
 #[test]
 fn a_recorded_session_replays_to_the_same_picture() {
     for program in programs() {
-        random::assert_replays(program, &random::script(7, 300));
+        random::assert_replays(program, &random::script(7, random::part(300)));
     }
 }
 

@@ -123,7 +123,7 @@ fn it_ends_with_q_or_escape() {
 fn a_recorded_session_replays_to_the_same_picture() {
     let calm = |line: &&str| !["key Esc", "key Q", "key q", "type q"].contains(line);
     let script: String =
-        random::script(11, 3000).lines().filter(calm).map(|line| format!("{line}\n")).collect();
+        random::script(11, random::part(3000)).lines().filter(calm).map(|line| format!("{line}\n")).collect();
     random::assert_replays(PROGRAM, &script);
 }
 

@@ -3,6 +3,7 @@
 use crate::machine::FRAMES_PER_SECOND;
 use crate::table::{Game, Shot, Touched};
 use crate::table::{STEP, Table};
+use std::cell::OnceCell;
 use std::time::Duration;
 
 /// Length of a step on the clock.
@@ -37,13 +38,23 @@ pub(crate) struct Rolling {
     pub(crate) touched: Touched,
     started: Duration,
     steps: u32,
+    /// Table and touches at rest, which are asked for at every picture, once they are known.
+    end: OnceCell<(Table, Touched)>,
 }
 
 impl Rolling {
     /// The motion of a shot that was made at a moment of the clock; `None` if it is not possible.
     pub(crate) fn start(shot: Shot, pace: Pace, now: Duration) -> Option<Rolling> {
         let table = shot.table().ok()?;
-        Some(Rolling { shot, pace, table, touched: Touched::default(), started: now, steps: 0 })
+        Some(Rolling {
+            shot,
+            pace,
+            table,
+            touched: Touched::default(),
+            started: now,
+            steps: 0,
+            end: OnceCell::new(),
+        })
     }
 
     /// Makes the steps that are due; `true` when the balls have come to rest.
@@ -56,11 +67,14 @@ impl Rolling {
 
     /// The game after the shot, from the one before it.
     pub(crate) fn outcome(&self, game: &Game) -> Game {
-        let mut ahead = self.clone();
-        while !ahead.table.at_rest() {
-            ahead.step();
-        }
-        game.after(ahead.shot, &ahead.table, &ahead.touched)
+        let (table, touched) = self.end.get_or_init(|| {
+            let mut ahead = self.clone();
+            while !ahead.table.at_rest() {
+                ahead.step();
+            }
+            (ahead.table, ahead.touched)
+        });
+        game.after(self.shot.clone(), table, touched)
     }
 
     fn step(&mut self) {

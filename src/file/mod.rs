@@ -13,7 +13,7 @@
 //! let text = "{\"format\": \"IP2\", \"points\": [[60, 80], [250, 200.5]], \"settings\": {\"closed\": true}}";
 //! let document = Document::from_json(text)?.without_settings();
 //! let refusal = document.write(Format::Ip2).unwrap_err().to_string();
-//! assert_eq!(refusal, "does not fit into .IP2: point 2: y = 200.5; it holds whole numbers 0..=380");
+//! assert_eq!(refusal, "does not fit into .IP2: point 2: y = 200.5; it holds whole numbers 0 to 380");
 //!
 //! let bytes = convert(b"x,y\n60,80\n250,200\n", FileKind::Csv, FileKind::Dos(Format::Ip2))?;
 //! assert_eq!(bytes.len(), 1300);

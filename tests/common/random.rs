@@ -115,6 +115,11 @@ pub(crate) fn share(events: usize) -> usize {
     said.unwrap_or(if std::env::var_os("GRAFIKA_CI").is_some() { events } else { events / 20 })
 }
 
+/// How many of so many events are recorded and replayed: all on a machine that promises all tests, elsewhere a third.
+pub(crate) fn part(events: usize) -> usize {
+    if std::env::var_os("GRAFIKA_CI").is_some() { events } else { events / 3 }
+}
+
 /// Sends random events to a program in either manner, a share of so many; it is started again whenever it ends.
 pub(crate) fn storm(program: Program, events: usize) {
     let events = share(events);

@@ -8,6 +8,9 @@ use crate::geometry::{Point, cross, dot};
 const STEPS: usize = 2;
 /// How often a step that leads away is halved.
 const HALVINGS: usize = 3;
+/// Corrections until a foot is settled, and the part of the distance that one more must take off.
+const MOST_CORRECTIONS: usize = 20;
+const SETTLED: f64 = 1e-9;
 
 /// The control points of a surface, going on over its seams, with one number of room so that a point is two vectors.
 #[derive(Clone, Debug)]
@@ -72,6 +75,21 @@ impl Sheet {
         }
         let space = |[x, y, z, _]: [f64; 4]| [x, y, z];
         Place { point: space(point), u: space(along), v: space(across) }
+    }
+
+    /// The foot of a point from parameters near it, as exactly as it can be told.
+    pub(super) fn settled(&self, point: Point<3>, parameters: [f64; 2]) -> Foot {
+        let mut foot = self.foot(point, parameters);
+        for _ in 0..MOST_CORRECTIONS {
+            let next = self.foot(point, foot.parameters);
+            let shorter = foot.distance.abs() - next.distance.abs();
+            let settled = shorter <= SETTLED * foot.distance.abs();
+            foot = next;
+            if settled {
+                break;
+            }
+        }
+        foot
     }
 
     /// Corrects the parameters of a point: two steps, each halved until the distance falls.

@@ -40,6 +40,7 @@ enum Work {
     Banded(Box<Cholesky>),
     Gradients(Box<Gradients>),
     Correction,
+    Distances(Option<Box<Chart>>),
     Done(Report),
 }
 
@@ -47,7 +48,9 @@ enum Work {
 ///
 /// Every point `p_r` gets parameters by the net. Then the control points `C` are those that make
 /// `sum |s(u_r, v_r) - p_r|^2 + mu N |D C|^2` least, where `D` are the second differences along rows and columns, `N` is the
-/// number of points and `mu` 1e-6; then parameters are corrected by two steps of Gauss and Newton each, and so on.
+/// number of points and `mu` 1e-6; then parameters are corrected by two steps of Gauss and Newton each, and so on. At the end
+/// every point looks for its foot once more, from where it is and by the surface as the chart: near a border it may have
+/// got stuck.
 ///
 /// It depends on cloud, net and corrections only, never on how it is divided into budgets.
 #[derive(Clone, Debug)]
@@ -162,6 +165,22 @@ impl Fit {
                     self.squares += foot.distance * foot.distance;
                 }
             }
+            Work::Distances(chart) => {
+                let at = self.parameters[range.clone()].iter_mut().zip(&mut self.distances[range.clone()]);
+                for (point, (parameters, distance)) in points.iter().zip(at) {
+                    let point = self.frame.inside(*point);
+                    let mut foot = self.sheet.settled(point, *parameters);
+                    if let Some(chart) = chart {
+                        let other = self.sheet.settled(point, chart.parameters(&self.axes, point));
+                        if other.distance.abs() < foot.distance.abs() {
+                            foot = other;
+                        }
+                    }
+                    *parameters = foot.parameters;
+                    *distance = self.frame.length(foot.distance);
+                    self.squares += foot.distance * foot.distance;
+                }
+            }
             Work::Done(_) => return most,
         }
         self.next = end;
@@ -188,21 +207,42 @@ impl Fit {
                 }
             }
             Work::Correction => {
-                let rms = (self.squares / self.cloud.points().len().max(1) as f64).sqrt();
-                self.squares = 0.0;
-                let gained =
-                    self.history.last().is_none_or(|last| self.frame.length(rms) < (1.0 - LEAST_GAIN) * last);
-                self.history.push(self.frame.length(rms));
+                let rms = self.root_mean_square();
+                let gained = self.history.last().is_none_or(|last| rms < (1.0 - LEAST_GAIN) * last);
+                self.history.push(rms);
                 if gained && self.history.len() <= self.corrections {
                     Work::Equations
                 } else {
-                    let side = side(&self.axes, &self.sheet);
-                    self.distances.iter_mut().for_each(|distance| *distance *= side);
-                    Work::Done(Report::new(&self.distances, self.history.clone()))
+                    Work::Distances(self.chart_of_surface().map(Box::new))
                 }
+            }
+            Work::Distances(_) => {
+                let rms = self.root_mean_square();
+                if let Some(last) = self.history.last_mut() {
+                    *last = rms;
+                }
+                let side = side(&self.axes, &self.sheet);
+                self.distances.iter_mut().for_each(|distance| *distance *= side);
+                Work::Done(Report::new(&self.distances, self.history.clone()))
             }
             _ => return,
         };
+    }
+
+    /// Of the distances of a pass, in the unit of the points.
+    fn root_mean_square(&mut self) -> f64 {
+        let squares = std::mem::take(&mut self.squares);
+        self.frame.length((squares / self.cloud.points().len().max(1) as f64).sqrt())
+    }
+
+    /// The chart of the surface as it is; `None` if its places are no net.
+    fn chart_of_surface(&self) -> Option<Chart> {
+        let [m, n] = self.axes.each_ref().map(Axis::count);
+        let place = |i: usize, j: usize| {
+            self.sheet.at([self.axes[0].parameter(i, 0.0), self.axes[1].parameter(j, 0.0)]).point
+        };
+        let rows: Vec<Vec<Point<3>>> = (0..m).map(|i| (0..n).map(|j| place(i, j)).collect()).collect();
+        Chart::new(&self.axes, self.topology, &rows).ok()
     }
 
     /// Moves the control points.
@@ -256,7 +296,7 @@ impl Fit {
             Work::Parameters(_) => Stage::Parameters,
             Work::Equations => Stage::Equations,
             Work::Banded(_) | Work::Gradients(_) => Stage::Solution,
-            Work::Correction => Stage::Correction,
+            Work::Correction | Work::Distances(_) => Stage::Correction,
             Work::Done(_) => Stage::Done,
         }
     }
@@ -274,14 +314,16 @@ impl Fit {
         let part = self.next as f64 / self.cloud.points().len().max(1) as f64;
         let before = 3.0 * self.history.len() as f64;
         // The first parameters take about as long as a correction, the equations half as long.
+        let all = 2.0 + 3.0 * (self.corrections as f64 + 1.0) + 4.0;
         let passes = match self.work {
             Work::Parameters(_) => 2.0 * part,
             Work::Equations => before + 2.0 + part,
             Work::Banded(_) | Work::Gradients(_) => before + 3.0,
             Work::Correction => before + 3.0 + 2.0 * part,
+            Work::Distances(_) => all - 4.0 + 4.0 * part,
             Work::Done(_) => return 1.0,
         };
-        passes / (2.0 + 3.0 * (self.corrections as f64 + 1.0))
+        passes / all
     }
 
     /// The report, when all is done.

@@ -54,6 +54,28 @@ fn data_and_surface_are_as_near_as_the_noise_allows() {
     }
 }
 
+/// Against the nearest of many places of the surface: what is told is no longer, at borders and corners either.
+#[test]
+fn distances_are_those_of_the_nearest_places() {
+    for (shape, size) in [(CloudShape::Hemisphere, [9, 9]), (CloudShape::Saddle, [8, 8])] {
+        let cloud = Cloud::of_shape(shape, 700, NOISE, 1).unwrap();
+        let net = learnt(&cloud, Net::random(&cloud, size, Topology::Open, 1).unwrap(), None);
+        let (report, fit) = fitted(&cloud, &net);
+        let Fitted::Surface(surface) = fit.fitted().unwrap() else { panic!("a surface") };
+        let places = surface.grid(30).unwrap();
+        for (point, distance) in cloud.points().iter().zip(fit.distances()) {
+            let square =
+                |place: &Point<3>| place.iter().zip(point).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+            let nearest = places.points().iter().map(square).fold(f64::INFINITY, f64::min).sqrt();
+            assert!(
+                distance.abs() <= nearest + 0.01 * report.rms,
+                "{}: {point:?} {distance} {nearest}",
+                shape.name()
+            );
+        }
+    }
+}
+
 #[test]
 fn a_letter_becomes_a_curve() {
     let cloud = Cloud::of_shape(CloudShape::Letter, 2000, NOISE, 2).unwrap();
