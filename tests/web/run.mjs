@@ -14,15 +14,20 @@ console.log(`what is made lies in ${made}`);
 let failures = 0;
 for (const [name, test] of Object.entries(tests)) {
   if (wanted.length && !wanted.some((part) => name.includes(part))) continue;
-  const began = performance.now();
   const own = join(made, name.replaceAll(/\W+/g, "_"));
   await mkdir(own, { recursive: true });
-  try {
-    await test({ address: server.address, folder: own, root: fileURLToPath(new URL("../..", import.meta.url)) });
-    console.log(`ok    ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    failures++;
-    console.log(`FAILED ${name}: ${error.stack ?? error}`);
+  // A browser on a busy machine may be late once; what fails twice is wrong.
+  for (let tries = 1; tries <= 2; tries++) {
+    const began = performance.now();
+    try {
+      await test({ address: server.address, folder: own, root: fileURLToPath(new URL("../..", import.meta.url)) });
+      const taken = ((performance.now() - began) / 1000).toFixed(1);
+      console.log(`ok    ${name} (${taken} s${tries > 1 ? ", at the second try" : ""})`);
+      break;
+    } catch (error) {
+      console.log(`FAILED ${name}: ${error.stack ?? error}`);
+      if (tries === 2) failures++;
+    }
   }
 }
 server.close();
