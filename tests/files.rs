@@ -300,7 +300,7 @@ fn wrong_json_names_the_line_and_the_field() {
         ),
         (
             "{\"format\": \"IP2\", \"points\": [[1, 2, 3]]}",
-            "line 1, points[0][2]: more follows than belongs here",
+            "line 1, points[0][2]: there is more than belongs here",
         ),
         (
             "{\"format\": \"IP2\", \"points\": [],\n\"colour\": 3}",

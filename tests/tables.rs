@@ -186,7 +186,7 @@ fn lists_in_json_are_points() {
         ("[[1,2]", "line 1, [0]: the text ends too early"),
         ("[1,2", "line 1, [1]: the text ends too early"),
         ("[1 2]", "line 1, [0]: a comma or ] is needed here"),
-        ("[[1,2]] 3", "line 1: more follows than belongs here"),
+        ("[[1,2]] 3", "line 1: there is more than belongs here"),
     ] {
         let refusal = json(text, &none).unwrap_err();
         assert!(refusal.starts_with(sentence), "{text}: {refusal}");

@@ -38,7 +38,7 @@ pub(crate) struct Rolling {
     pub(crate) touched: Touched,
     started: Duration,
     steps: u32,
-    /// Table and touches at rest, which are asked for at every picture, once they are known.
+    /// Table and touches at rest, once somebody has asked: every picture of a game with points does.
     end: OnceCell<(Table, Touched)>,
 }
 

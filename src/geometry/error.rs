@@ -271,7 +271,7 @@ impl fmt::Display for GeometryError {
             }
             Self::Parameter { name, value, wanted } => write!(f, "{name} is {value}, but must be {wanted}"),
             Self::NoParameter { name, known: "" } => {
-                write!(f, "this family has no parameter {name}, and no other one")
+                write!(f, "there is no parameter {name}: this family has none")
             }
             Self::NoParameter { name, known } => {
                 write!(f, "this family has no parameter {name}; it has {known}")

@@ -117,8 +117,8 @@ fn number(line: &str) -> String {
     let negative = line.split('\'').nth(1).is_some_and(|value| value.parse::<i64>().is_ok_and(|it| it < 0));
     let told = match problem {
         "invalid digit found in string" if negative => "it must not be negative".to_owned(),
-        "invalid digit found in string" => "this is no whole number".to_owned(),
-        "invalid float literal" => "this is no number".to_owned(),
+        "invalid digit found in string" => "this is not a whole number".to_owned(),
+        "invalid float literal" => "this is not a number".to_owned(),
         "cannot parse integer from empty string" | "cannot parse float from empty string" => {
             "a number is needed here".to_owned()
         }

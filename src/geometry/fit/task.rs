@@ -7,7 +7,7 @@ use super::equations::Sums;
 use super::frame::Frame;
 use super::gradients::Gradients;
 use super::orientation::side;
-use super::sheet::Sheet;
+use super::sheet::{Foot, Sheet};
 use super::{FitError, Fitted, Report, fitted};
 use crate::geometry::cloud::Cloud;
 use crate::geometry::kohonen::{KohonenError, Net, Topology};
@@ -158,27 +158,23 @@ impl Fit {
             }
             Work::Correction => {
                 let at = self.parameters[range.clone()].iter_mut().zip(&mut self.distances[range.clone()]);
-                for (point, (parameters, distance)) in points.iter().zip(at) {
-                    let foot = self.sheet.foot(self.frame.inside(*point), *parameters);
-                    *parameters = foot.parameters;
-                    *distance = self.frame.length(foot.distance);
-                    self.squares += foot.distance * foot.distance;
+                for (point, at) in points.iter().zip(at) {
+                    let foot = self.sheet.foot(self.frame.inside(*point), *at.0);
+                    self.squares += noted(&foot, &self.frame, at);
                 }
             }
             Work::Distances(chart) => {
                 let at = self.parameters[range.clone()].iter_mut().zip(&mut self.distances[range.clone()]);
-                for (point, (parameters, distance)) in points.iter().zip(at) {
+                for (point, at) in points.iter().zip(at) {
                     let point = self.frame.inside(*point);
-                    let mut foot = self.sheet.settled(point, *parameters);
+                    let mut foot = self.sheet.settled(point, *at.0);
                     if let Some(chart) = chart {
                         let other = self.sheet.settled(point, chart.parameters(&self.axes, point));
                         if other.distance.abs() < foot.distance.abs() {
                             foot = other;
                         }
                     }
-                    *parameters = foot.parameters;
-                    *distance = self.frame.length(foot.distance);
-                    self.squares += foot.distance * foot.distance;
+                    self.squares += noted(&foot, &self.frame, at);
                 }
             }
             Work::Done(_) => return most,
@@ -334,4 +330,11 @@ impl Fit {
             _ => None,
         }
     }
+}
+
+/// Notes the foot of a point as its parameters and its distance; the square of this in the unit of the frame.
+fn noted(foot: &Foot, frame: &Frame, (parameters, distance): (&mut [f64; 2], &mut f64)) -> f64 {
+    *parameters = foot.parameters;
+    *distance = frame.length(foot.distance);
+    foot.distance * foot.distance
 }
