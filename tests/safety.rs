@@ -5,7 +5,7 @@ mod common;
 
 use common::random::{self, Dice};
 use common::shelf::{Item, Shelf};
-use common::{Kept, pictures};
+use common::{Kept, pictures, shared_out};
 use grafika::file::{Document, Format};
 use grafika::machine::{Language, Machine, Memory, Script, Session, Settings, Storage, Work, play, sample};
 use grafika::programs::{
@@ -371,7 +371,7 @@ fn broken_work_is_told_in_one_message() {
 
 #[test]
 fn random_crashes_lose_nothing_and_break_nothing() {
-    for &(program, script) in CASES {
+    shared_out(CASES, |&(program, script)| {
         let (disk, shelf, mut dice) = (Disk::default(), Shelf::default(), Dice::new(1956));
         let mut window = Window::open(program, &disk, &shelf);
         let mut offered = 0;
@@ -403,7 +403,7 @@ fn random_crashes_lose_nothing_and_break_nothing() {
             "{}",
             program.manual.name
         );
-    }
+    });
 }
 
 #[test]

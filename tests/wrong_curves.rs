@@ -4,6 +4,7 @@
 mod common;
 
 use common::reference::{Allowance, Reference};
+use common::shared_out;
 use grafika::programs::{gb_2d_bt, gb_2d_ip, gb_3d_bt, gb_3d_ip};
 use grafika::ui::Program;
 
@@ -84,16 +85,13 @@ fn passes((program, name, end, _): &Case, other: &str) -> bool {
 
 #[test]
 fn a_wrong_curve_is_refused() {
-    let mut wrong = Vec::new();
-    for case in CASES {
+    let wrong = shared_out(CASES, |case| {
         let (_, name, end, others) = case;
         assert!(passes(case, end), "{name}: the right curve is refused");
-        for other in others.iter().chain([&NONE]) {
-            let alike = ALIKE.contains(&(name, other));
-            if passes(case, other) != alike {
-                wrong.push(format!("{name} with {other:?}: passes is {}", !alike));
-            }
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+        let all = others.iter().chain([&NONE]);
+        let wrong = all.filter(|other| passes(case, other) != ALIKE.contains(&(*name, **other)));
+        wrong.map(|other| format!("{name} with {other:?}")).collect::<Vec<_>>()
+    });
+    let wrong = wrong.concat();
+    assert!(wrong.is_empty(), "they pass, or do not and should:\n{}", wrong.join("\n"));
 }

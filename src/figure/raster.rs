@@ -191,7 +191,8 @@ impl<'a> Band<'a> {
 
 /// Blends a channel of one colour over another.
 pub(super) fn mix(below: u8, above: u8, coverage: u8) -> u8 {
-    let (below, above, coverage) = (u32::from(below), u32::from(above), u32::from(coverage));
+    // The largest sum is 255 * 255 + 127; in sixteen bits many are computed at once.
+    let (below, above, coverage) = (u16::from(below), u16::from(above), u16::from(coverage));
     // An average of two bytes fits into a byte.
     ((below * (255 - coverage) + above * coverage + 127) / 255) as u8
 }

@@ -2,7 +2,7 @@
 
 use super::frame::{Area, window};
 use crate::machine::Key;
-use crate::screen::{Color, Screen};
+use crate::screen::{Color, Screen, base_letter};
 
 /// What may be typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +74,9 @@ impl Entry {
                     Accepts::Text => Some(typed),
                     // The Hungarian decimal separator: dropped, it would make 15 of 1,5.
                     Accepts::Number if typed == ',' => Some('.'),
-                    Accepts::Number | Accepts::Name => key.letter(),
+                    Accepts::Number => key.letter(),
+                    // Names are those of DOS: of a Hungarian letter the one without the accent is left.
+                    Accepts::Name => key.letter().map(base_letter),
                 };
                 if let Some(letter) = letter.filter(|&letter| self.takes(letter)) {
                     self.push(letter);
@@ -135,7 +137,7 @@ mod tests {
     fn only_what_makes_sense_is_taken() {
         assert_eq!(typed(Accepts::Number, 4, "a1-.x2345678901234567890"), "1-.2");
         assert_eq!(typed(Accepts::Number, 8, "1,5"), "1.5");
-        assert_eq!(typed(Accepts::Name, 8, "six/a é\\b-1.ip2ab"), "SIXAB-1.");
+        assert_eq!(typed(Accepts::Name, 8, "six/a é\\b-1.ip2ab"), "SIXAEB-1");
     }
 
     #[test]

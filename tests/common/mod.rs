@@ -30,6 +30,16 @@ pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
 }
 
+/// Works on items on all processors, each beginning with another one; the results come in no order.
+pub(crate) fn shared_out<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let part = |first| items.iter().skip(first).step_by(threads).map(&work).collect::<Vec<_>>();
+    std::thread::scope(|scope| {
+        let parts: Vec<_> = (0..threads).map(|first| scope.spawn(move || part(first))).collect();
+        parts.into_iter().flat_map(|part| part.join().expect("a part says itself what is wrong")).collect()
+    })
+}
+
 /// What a script wrote.
 #[derive(Default)]
 pub(crate) struct Kept {

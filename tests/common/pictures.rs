@@ -36,13 +36,25 @@ pub(crate) fn decode(png: &[u8]) -> Picture {
 pub(crate) fn read(path: &Path) -> Pixels {
     let picture = decode(&content(path));
     assert_eq!((picture.width as i32, picture.height as i32), (WIDTH, HEIGHT), "{}", path.display());
-    let nearest = |rgb: &[u8; 3]| {
+    let nearest = |rgb: [u8; 3]| {
         let distance = |color: &Color| -> u32 {
-            color.rgb().iter().zip(rgb).map(|(&a, &b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+            color.rgb().iter().zip(rgb).map(|(&a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
         };
         Color::ALL.iter().min_by_key(|color| distance(color)).expect("there are colours").index()
     };
-    picture.rgb.iter().map(nearest).collect()
+    // A screen has few colours, and most pixels have that of the pixel before.
+    let mut known: Vec<([u8; 3], u8)> = Vec::new();
+    let mut last = ([0; 3], nearest([0; 3]));
+    let mut index = |&rgb: &[u8; 3]| {
+        if rgb != last.0 {
+            last = known.iter().copied().find(|it| it.0 == rgb).unwrap_or_else(|| {
+                known.push((rgb, nearest(rgb)));
+                (rgb, nearest(rgb))
+            });
+        }
+        last.1
+    };
+    picture.rgb.iter().map(&mut index).collect()
 }
 
 fn content(path: &Path) -> Vec<u8> {

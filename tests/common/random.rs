@@ -1,6 +1,6 @@
 //! Random events: what nobody would type, a hundred thousand times.
 
-use super::{Kept, session};
+use super::{Kept, session, shared_out};
 use grafika::machine::{
     Button, Event, FRAMES_PER_SECOND, Key, Manner, Memory, Recorder, Script, Session, Settings, play,
 };
@@ -9,6 +9,8 @@ use std::cell::RefCell;
 use std::io::{self, Write};
 use std::rc::Rc;
 use std::time::{Duration, Instant};
+
+const MANNERS: [Manner; 2] = [Manner::Original, Manner::Today];
 
 /// A small generator (SplitMix64), so that a seed gives the same events everywhere.
 pub(crate) struct Dice(u64);
@@ -123,9 +125,7 @@ pub(crate) fn part(events: usize) -> usize {
 /// Sends random events to a program in either manner, a share of so many; it is started again whenever it ends.
 pub(crate) fn storm(program: Program, events: usize) {
     let events = share(events);
-    [Manner::Original, Manner::Today]
-        .into_iter()
-        .for_each(|manner| storm_in(program, manner, "", events, events));
+    shared_out(&MANNERS, |&manner| storm_in(program, manner, "", events, events));
 }
 
 /// The same, and after so many events it starts anew with a script, which leads to a page that is soon left.
@@ -160,9 +160,10 @@ fn storm_in(program: Program, manner: Manner, script: &str, each: usize, events:
 
 /// Plays a script in either manner while it is recorded, plays the recording, and compares the screens.
 pub(crate) fn assert_replays(program: Program, script: &str) {
-    for manner in [Manner::Original, Manner::Today] {
+    let replays = |manner: &Manner| {
         assert_replays_in(program, &format!("manner {}\n{script}", manner.name()));
-    }
+    };
+    shared_out(&MANNERS, replays);
 }
 
 fn assert_replays_in(program: Program, script: &str) {

@@ -1,6 +1,6 @@
 //! The screens of the original programs: every script in `tests/reference` gives its picture.
 
-use super::{path, pictures, play_script, storage};
+use super::{path, pictures, play_script, shared_out, storage};
 use grafika::ui::Program;
 
 /// The least part of all pixels that must agree with a screen of the original. Its letters are of
@@ -145,13 +145,8 @@ pub(crate) fn compare_all(
         let it = Reference::read(folder, name);
         it.problem(program, &it.script, allowance(&it.name))
     };
-    // Hundreds of screens, on all processors.
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let problems = std::thread::scope(|scope| {
-        let part = |first| names.iter().skip(first).step_by(threads).filter_map(&problem).collect::<Vec<_>>();
-        let parts: Vec<_> = (0..threads).map(|first| scope.spawn(move || part(first))).collect();
-        parts.into_iter().flat_map(|part| part.join().expect("a comparison says what is wrong")).collect()
-    });
+    // There are hundreds of screens.
+    let problems = shared_out(&names, problem).into_iter().flatten().collect();
     (names.len(), problems)
 }
 

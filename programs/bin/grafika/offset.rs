@@ -64,6 +64,8 @@ pub(crate) struct OffsetArgs {
     overwrite: Overwrite,
 }
 
+/// What is said when trimming leaves nothing.
+const NOTHING: &str = "the whole offset is nearer to the curve than its distance; nothing of it is kept";
 /// The tolerance of moves in millimetres for which none is given.
 const NC_TOLERANCE: f64 = 0.01;
 
@@ -88,10 +90,11 @@ impl OffsetArgs {
             None => vec![offset.part(whole)],
         };
         if parts.is_empty() {
-            say(
-                "grafika",
-                "the whole offset is nearer to the curve than its distance; nothing of it is kept",
-            );
+            // A tool needs a path; a picture, a table or a document may be empty.
+            if self.nc.is_some() {
+                return Err(Failure::work(format!("{name}: {NOTHING}")));
+            }
+            say("grafika", NOTHING);
         }
         let moves = match &self.nc {
             Some(_) => Some(self.moves(&parts)?),

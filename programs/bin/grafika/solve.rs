@@ -125,7 +125,7 @@ impl Solve {
             true => "proven shortest".to_string(),
             false => format!("not proven shortest; at least {at_least} are needed"),
         };
-        let text = format!("{text}\n{count} moves, {proof}\n");
+        let text = format!("{text}\n{}, {proof}\n", counted(count));
         answer(&text)
     }
 
@@ -159,7 +159,7 @@ impl Solve {
             return Ok(format!("{}\n", json!({ "moves": words, "count": words.len() })));
         }
         let lines: Vec<String> = words.chunks(IN_LINE).map(|line| line.join(" ")).collect();
-        Ok(format!("{} moves\n{}\n", moves.len(), lines.join("\n")))
+        Ok(format!("{}\n{}\n", counted(moves.len()), lines.join("\n")))
     }
 
     /// The number of fillings around the pieces of a position. A finished cube is one wherever it stands.
@@ -211,6 +211,12 @@ impl Solve {
         });
         total.into_inner()
     }
+}
+
+/// A number of moves, in words.
+fn counted(moves: usize) -> String {
+    let noun = if moves == 1 { "move" } else { "moves" };
+    format!("{moves} {noun}")
 }
 
 /// A position, or the one that moves lead to.

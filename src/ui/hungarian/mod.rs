@@ -10,7 +10,7 @@
 mod pattern;
 
 use crate::file::Format;
-use pattern::{Pattern, filled};
+use pattern::{Pattern, filled, may_fit};
 
 /// The sentences: what is wrong, and what is answered.
 const SENTENCES: [&str; 9] = [
@@ -116,7 +116,8 @@ fn behind(text: &str, lists: Lists, depth: usize) -> Option<String> {
 fn best(text: &str, lists: &[Lists], depth: usize) -> Option<String> {
     let mut found = None;
     let mut most = 0;
-    for (english, hungarian) in lists.iter().flat_map(|lists| rows(lists)) {
+    let all = lists.iter().flat_map(|lists| rows(lists));
+    for (english, hungarian) in all.filter(|(english, _)| may_fit(english, text)) {
         let pattern = Pattern::new(english);
         // A text without holes is meant before one with.
         let letters = 2 * pattern.letters() + usize::from(pattern.is_fixed());

@@ -142,18 +142,25 @@ pub(super) fn place(texts: &[Text], layout: &Layout) -> Vec<Placed> {
         let text = &texts[at];
         let (_, row) = layout.cell((text.x, text.y + text.height / 2));
         let middle = f64::from(2 * text.x + text.width) * width as f64 / f64::from(2 * WIDTH);
-        for (line, letters) in wrapped(text, width).into_iter().enumerate() {
+        let lines = wrapped(text, width);
+        // What is wrapped goes on below, so it begins where there are rows for all of it.
+        let first = row.min(height.saturating_sub(lines.len()));
+        let mut below = 0;
+        for (line, letters) in lines.into_iter().enumerate() {
             let length = letters.len();
             // Negative places become 0. Where letters have less than a cell, columns of texts keep their left edges.
             let column = match width < LETTERS.0 {
                 true => usize::try_from(text.x).unwrap_or(0) * width / WIDTH as usize,
                 false => (middle - length as f64 / 2.0).floor().max(0.0) as usize,
             };
-            let wanted = ((row + line).min(height - 1), column.min(width - length));
+            let wanted = ((first + line).max(below).min(height - 1), column.min(width - length));
             let farthest = if text.covered { 1 } else { height.max(width) };
-            if let Some((row, column)) = room.nearest(wanted, length, farthest) {
+            let nearest = |from| room.nearest(wanted, length, farthest, from);
+            let found = nearest(below).or_else(|| nearest(0));
+            if let Some((row, column)) = found {
                 room.take(row, column, length);
                 placed.push(Placed { text: at, letters, row, column });
+                below = row + 1;
             }
         }
     }
@@ -182,18 +189,20 @@ struct Room {
 }
 
 impl Room {
-    /// The free cells nearest to a wanted row and column. Texts that would touch read as one, so that a blank between
-    /// them is worth some distance.
+    /// The free cells nearest to a wanted row and column, in no row above `from`. Texts that would touch read as one, so
+    /// that a blank between them is worth some distance.
     fn nearest(
         &self,
         (row, column): (usize, usize),
         length: usize,
         farthest: usize,
+        from: usize,
     ) -> Option<(usize, usize)> {
         let mut best: Option<(usize, (usize, usize))> = None;
         let dearer =
             |best: Option<(usize, (usize, usize))>, cost: usize| best.is_some_and(|(known, _)| cost > known);
-        for (away, at) in around(row, self.height).take_while(|&(away, _)| away <= farthest) {
+        let rows = around(row, self.height).take_while(|&(away, _)| away <= farthest);
+        for (away, at) in rows.filter(|&(_, at)| at >= from) {
             if dearer(best, 3 * away) {
                 break;
             }
@@ -242,6 +251,31 @@ mod tests {
     fn equal_rows_where_they_do() {
         assert_eq!(uneven(&[10, 30, 50], 24), None);
         assert_eq!(uneven(&[10, 20, 30], 2), None, "more lines than rows");
+    }
+
+    #[test]
+    fn what_is_wrapped_goes_on_below() {
+        use crate::screen::Color;
+        let text = |words: &str, y: i32| Text {
+            x: 0,
+            y,
+            width: 8 * words.len() as i32,
+            height: 8,
+            letters: words.chars().map(|ch| (ch, Color::White)).collect(),
+            covered: false,
+        };
+        let columns = (0..=20).map(|column| column * 32).collect();
+        let layout = Layout { columns, rows: (0..=10).map(|row| row * 48).collect() };
+        let rows = |texts: &[Text]| {
+            let placed = place(texts, &layout);
+            placed.iter().map(|it| (it.text, it.row)).collect::<Vec<_>>()
+        };
+        // In the last row there is no room below, so it begins higher.
+        let long = text("twenty columns are too few for this sentence", 470);
+        assert_eq!(rows(std::slice::from_ref(&long)), [(0, 7), (0, 8), (0, 9)]);
+        // A row that another text has is passed over, downwards.
+        let command = text("a command here", 6 * 48);
+        assert_eq!(rows(&[Text { y: 5 * 48, ..long }, command]), [(1, 6), (0, 5), (0, 7), (0, 8)]);
     }
 
     #[test]
