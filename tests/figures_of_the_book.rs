@@ -3,12 +3,11 @@
 
 mod common;
 
-use common::pictures;
+use common::{pictures, shared_out};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Mutex;
 
 /// The figures of the book, by chapters: the first and the last number. Chapters 1 and 5 have none.
 const FIGURES: [(u32, u32, u32); 3] = [(2, 1, 43), (3, 1, 65), (4, 1, 15)];
@@ -129,7 +128,6 @@ fn every_row_makes_the_picture_beside_it() {
     let pictures = root().join("docs/figures_of_the_book/pictures");
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figures_of_the_book");
     fs::create_dir_all(&made).expect("a folder of the build");
-    let wrong = Mutex::new(Vec::new());
     let check = |row: &Row| {
         let folder = tempfile::tempdir().expect("a folder");
         let picture = match make(row, folder.path()) {
@@ -153,14 +151,7 @@ fn every_row_makes_the_picture_beside_it() {
             shown.display()
         ))
     };
-    std::thread::scope(|scope| {
-        for part in rows.chunks(rows.len().div_ceil(4).max(1)) {
-            let (check, wrong) = (&check, &wrong);
-            scope
-                .spawn(move || wrong.lock().expect("no thread panics").extend(part.iter().filter_map(check)));
-        }
-    });
-    let wrong = wrong.into_inner().expect("no thread panics");
+    let wrong: Vec<String> = shared_out(&rows, check).into_iter().flatten().collect();
     assert!(wrong.is_empty(), "{}\nUPDATE_PICTURES=1 renews them", wrong.join("\n"));
 }
 

@@ -42,19 +42,19 @@ pub(crate) fn read(path: &Path) -> Pixels {
         };
         Color::ALL.iter().min_by_key(|color| distance(color)).expect("there are colours").index()
     };
-    // A screen has few colours, and most pixels have that of the pixel before.
-    let mut known: Vec<([u8; 3], u8)> = Vec::new();
-    let mut last = ([0; 3], nearest([0; 3]));
-    let mut index = |&rgb: &[u8; 3]| {
-        if rgb != last.0 {
-            last = known.iter().copied().find(|it| it.0 == rgb).unwrap_or_else(|| {
-                known.push((rgb, nearest(rgb)));
-                (rgb, nearest(rgb))
-            });
+    // A screen has few colours, and most pixels have the colour of the one before.
+    let mut known = vec![([0; 3], nearest([0; 3]))];
+    let mut last = 0;
+    let index = |&rgb: &[u8; 3]| {
+        if known[last].0 != rgb {
+            last = known.iter().position(|it| it.0 == rgb).unwrap_or(known.len());
         }
-        last.1
+        if last == known.len() {
+            known.push((rgb, nearest(rgb)));
+        }
+        known[last].1
     };
-    picture.rgb.iter().map(&mut index).collect()
+    picture.rgb.iter().map(index).collect()
 }
 
 fn content(path: &Path) -> Vec<u8> {
