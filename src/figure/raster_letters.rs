@@ -35,7 +35,7 @@ struct Stamp {
     left: i64,
     top: i64,
     width: usize,
-    /// Four to a pixel, the last of which, the opacity, is 0: it stays what it is.
+    /// Four to a pixel. The last is 0, so that the opacity stays what it is.
     channels: Vec<u8>,
 }
 
@@ -138,7 +138,7 @@ impl Stamp {
             let Ok(row) = usize::try_from(top.saturating_add(row)) else { continue };
             let start = row.saturating_mul(width).saturating_add(left).saturating_mul(4);
             let Some(pixels) = data.get_mut(start..start.saturating_add(4 * shown)) else { return };
-            // Without a look whether a pixel is covered: the compiler then takes many channels at once.
+            // No test whether a pixel is covered: without branches the compiler blends many channels at once.
             let (pixels, last) = pixels.as_chunks_mut::<LANES>();
             let values = values.get(4 * hidden..4 * (hidden + shown)).unwrap_or_default();
             let (values, others) = values.as_chunks::<LANES>();

@@ -75,7 +75,7 @@ impl Entry {
                     // The Hungarian decimal separator: dropped, it would make 15 of 1,5.
                     Accepts::Number if typed == ',' => Some('.'),
                     Accepts::Number => key.letter(),
-                    // Names are those of DOS: of a Hungarian letter the one without the accent is left.
+                    // File names are those of DOS, which have no accents.
                     Accepts::Name => key.letter().map(base_letter),
                 };
                 if let Some(letter) = letter.filter(|&letter| self.takes(letter)) {

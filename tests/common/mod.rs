@@ -30,7 +30,7 @@ pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(name)
 }
 
-/// Works on items on all processors, each beginning with another one; the results come in no order.
+/// Does some work on every item, on all processors; the results are in no particular order.
 pub(crate) fn shared_out<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let part = |first| items.iter().skip(first).step_by(threads).map(&work).collect::<Vec<_>>();

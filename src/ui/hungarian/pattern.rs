@@ -62,8 +62,8 @@ impl Pattern {
     }
 }
 
-/// Whether a message begins and ends as a text of the list does outside its holes: a quick look, which leaves few of
-/// thousands of texts to be cut into pieces.
+/// Whether a message begins and ends like a text of the list, up to its holes. A quick look, so that few of the thousands
+/// of texts have to be cut into pieces.
 pub(super) fn may_fit(text: &str, message: &str) -> bool {
     let mut begin = text.bytes().zip(message.bytes()).take_while(|&(own, _)| own != b'{');
     let mut end = text.bytes().rev().zip(message.bytes().rev()).take_while(|&(own, _)| own != b'}');

@@ -143,7 +143,7 @@ pub(super) fn place(texts: &[Text], layout: &Layout) -> Vec<Placed> {
         let (_, row) = layout.cell((text.x, text.y + text.height / 2));
         let middle = f64::from(2 * text.x + text.width) * width as f64 / f64::from(2 * WIDTH);
         let lines = wrapped(text, width);
-        // What is wrapped goes on below, so it begins where there are rows for all of it.
+        // A wrapped text continues below, so it begins where there are rows for all of its lines.
         let first = row.min(height.saturating_sub(lines.len()));
         let mut below = 0;
         for (line, letters) in lines.into_iter().enumerate() {
